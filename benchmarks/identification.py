@@ -185,7 +185,7 @@ def driven_case(rng: np.random.Generator) -> tuple[Array, Truth]:
 
 
 def identified_frf(H: Complex, _: Array) -> list[Found]:
-    return of_pkmodes(identify_frf(LINES, H, band=FORCED_BAND, power=2).modes)
+    return of_pkmodes(identify_frf(LINES, H, band=FORCED_BAND, derivative_order=2).modes)
 
 
 def identified_responses(y: Array, _: Array) -> list[Found]:

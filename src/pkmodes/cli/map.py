@@ -62,7 +62,7 @@ class MapOptions(OptionTable):
         type=PATH,
         passed=True,
         writes="the map",
-        anywhere=True,
+        checked_when_written=True,
         help="File to write: .nc (NetCDF), .zarr, or a table in .csv or .parquet.  The same command continues an "
         "interrupted map.",
     )

@@ -36,7 +36,7 @@ class OptionEntry:
     - needs: options that name files to write, at least one of which must be given with it
     - reads: for a file that is read, its role on the report; "" if the report does not list it
     - writes: for a file that is written, its label, such as "the table"
-    - endings, anywhere: as for `Target`
+    - endings, checked_when_written: as for `Target`
     """
 
     option: Callable[[Any], Any]
@@ -46,7 +46,7 @@ class OptionEntry:
     reads: str | None = None
     writes: str = ""
     endings: tuple[str, ...] = ()
-    anywhere: bool = False
+    checked_when_written: bool = False
 
 
 def entry(option: Callable[[Any], Any], **uses: Any) -> Any:
@@ -101,7 +101,7 @@ class OptionTable:
                 getattr(self, name),
                 option_entry.writes,
                 option_entry.endings,
-                option_entry.anywhere,
+                option_entry.checked_when_written,
             )
             for name, option_entry in entries.items()
             if option_entry.writes

@@ -16,18 +16,18 @@ class Target:
     """A file that a command writes.
 
     - option: the option that names it
-    - file: as given; None if it is not requested
+    - path: as given; None if it is not requested
     - label: what it will be, such as "the report"
-    - endings: if not empty, its name ends in one of them
-    - anywhere: whether it may also be a folder, or in one that does not exist: such a target is checked where it is
-      written
+    - endings: allowed endings of its name; empty for any
+    - checked_when_written: whether it may be a folder, or lie in one that does not exist yet; it is then checked when
+      it is written
     """
 
     option: str
-    file: str | Path | None
+    path: str | Path | None
     label: str
     endings: tuple[str, ...] = ()
-    anywhere: bool = False
+    checked_when_written: bool = False
 
 
 def report_target(file: Path | None) -> Target:
@@ -47,30 +47,30 @@ def check_targets(json_file: str | None, inputs: Sequence[Path | None], *other_t
     labels_by_path: dict[Path, str] = {}
     for targets in ([json_target], other_targets):  # of several mistakes, that of --json is reported first
         for target in targets:
-            if target.file is not None and not target.anywhere:
-                _check_place("" if target.file == Path() else str(target.file), target.option)
+            if target.path is not None and not target.checked_when_written:
+                _check_place("" if target.path == Path() else str(target.path), target.option)
         for target in targets:
-            if target.file is None:
+            if target.path is None:
                 continue
-            path = Path(str(target.file))
+            path = Path(str(target.path))
             resolved_path = resolve_path(path, target.option)
-            where = f"{target.option} {target.file if target.option == '--json' else path}"
+            where = f"{target.option} {target.path if target.option == '--json' else path}"
             if resolved_path in labels_by_path:
                 problem = f"{labels_by_path[resolved_path]} and {target.label} would be the same file"
                 raise OutputError(problem, where, "choose another file")
-            existing = (source for source in inputs if source and source.exists() and path.exists())
-            if any(source.samefile(path) for source in existing):
+            existing_inputs = (source for source in inputs if source and source.exists() and path.exists())
+            if any(source.samefile(path) for source in existing_inputs):
                 raise OutputError(f"{target.label} would replace its own input", where, "choose another file")
             labels_by_path[resolved_path] = target.label
     for target in other_targets:
-        if target.file is None or not target.endings:
+        if target.path is None or not target.endings:
             continue
-        path = Path(target.file)
-        is_device = path.exists() and not path.is_file()  # a pipe or a device may have any name
+        path = Path(target.path)
+        is_not_regular_file = path.exists() and not path.is_file()  # a pipe or a device may have any name
         alternative_endings = (".htm",) if ".html" in target.endings else ()
-        if not is_device and path.suffix.lower() not in (*alternative_endings, *target.endings):
+        if not is_not_regular_file and path.suffix.lower() not in (*alternative_endings, *target.endings):
             problem = f"expected a name that ends in {' or '.join(target.endings)}, found {shown(path.name)}"
-            shown_name = target.file if isinstance(target.file, Path) else shown(target.file)
+            shown_name = target.path if isinstance(target.path, Path) else shown(target.path)
             remedy = f"write {shell_path(path.with_suffix(target.endings[0]))}"
             raise OutputError(problem, f"{target.option} {shown_name}", remedy)
 
@@ -79,7 +79,7 @@ def _check_place(file: str, option: str) -> None:
     """Reject a target that is not a file in an existing folder."""
     where, path = f"{option} {shown(file)}", Path(file)
     if not file or "\0" in file or file == "-":
-        raise OutputError("expected the name of a file", where, "choose another place")
+        raise OutputError("expected the name of a file", where, "give the name of a file")
     if path.is_dir():
         raise OutputError("expected a file, found a folder", where, "name a file in it")
     if not path.parent.exists():

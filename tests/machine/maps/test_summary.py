@@ -10,7 +10,7 @@ from scipy.linalg import eigvalsh
 
 import pkmodes
 from pkmodes.machine.maps import dataset
-from pkmodes.machine.maps.left_out import left_out_sentences
+from pkmodes.machine.maps.left_out import exclusion_sentences
 from pkmodes.machine.maps.quantiles import quantiles
 from pkmodes.machine.maps.summary import quantiles_sentence, summary_of
 from pkmodes.pages.report.map_summary import _headline
@@ -101,10 +101,10 @@ def test_an_unstable_pose_and_a_singular_one_are_counted_and_left_out() -> None:
     )
     assert summary["modes"][0]["median_hz"] == pytest.approx(np.median(first[:3]))
     assert (first[3:] < 0.0).all()  # the dataset keeps its values
-    near, moving = left_out_sentences(summary, dict.fromkeys("xyz", ("m", 1.0)))
+    near, moving = exclusion_sentences(summary, dict.fromkeys("xyz", ("m", 1.0)))
     assert near.startswith("1 pose is near-singular and not in these numbers: the condition number")
     assert near.endswith("; at pose = 4, x = 0.63 m, y = -0.158 m, z = 0.0002 m.")
-    assert moving.startswith("2 poses are unstable and not in these numbers: the machine moves away instead")
+    assert moving.startswith("2 poses are unstable and not in these numbers: the machine diverges instead")
 
 
 def test_rounding_beside_a_vanishing_span_is_no_instability() -> None:

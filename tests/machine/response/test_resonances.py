@@ -84,4 +84,4 @@ def test_of_damped_modes_the_highest_peak_counts(ratio: float) -> None:
         assert resonance is not None
         assert (resonance.mode, resonance.frequency) == (NUMBERS[axis], pytest.approx(f, rel=1e-6))
         expected = 1.0 / (2.0 * ratio * mass * (2.0 * np.pi * f) ** 2)
-        assert resonance.size == pytest.approx(expected, rel=1e-4)
+        assert resonance.magnitude == pytest.approx(expected, rel=1e-4)

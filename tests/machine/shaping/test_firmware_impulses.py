@@ -10,7 +10,11 @@ from scipy.signal import argrelmax, argrelmin
 
 from pkmodes.machine.shaping import KINDS, residual, shaper
 from pkmodes.machine.shaping.firmware import VERSIONS
-from pkmodes.machine.shaping.firmware_impulses import as_made, has_own, settled
+from pkmodes.machine.shaping.firmware_impulses import (
+    centre_of_equal_impulses,
+    firmware_shaper,
+    has_own_formulas,
+)
 
 Array = NDArray[np.float64]
 F = 40.0
@@ -72,12 +76,12 @@ def test_klipper_keeps_the_humps_at_the_tolerance_with_damping_too(kind: str, ze
         inside = left[minima[0] : minima[-1] + 1]
         return left[minima], inside[argrelmax(inside)[0]]
 
-    lowest, humps = extremes(residual(as_made("klipper", kind, F, zeta), f, zeta))
+    lowest, humps = extremes(residual(firmware_shaper("klipper", kind, F, zeta), f, zeta))
     assert (len(lowest), len(humps)) == (HUMPS[kind] + 1, HUMPS[kind])
     np.testing.assert_allclose(lowest, 0.0, atol=FITTED)
     np.testing.assert_allclose(humps, 0.05, atol=FITTED)
     if zeta > 0.05:
-        _, humps = extremes(residual(as_made("klipper-2025-08", kind, F, zeta), f, zeta))
+        _, humps = extremes(residual(firmware_shaper("klipper-2025-08", kind, F, zeta), f, zeta))
         assert abs(humps - 0.05).max() > 0.006
 
 
@@ -100,7 +104,7 @@ def test_ei_of_klipper_solves_the_conditions_of_the_damped_mode(zeta: float) -> 
     start = [0.26, 0.47, 0.5 / root, 1.0 - apart, 1.0 + apart]
     found, _, flag, message = fsolve(conditions, start, full_output=True, xtol=1e-12)
     assert flag == 1, message
-    made = as_made("klipper", "ei", 1.0, zeta)
+    made = firmware_shaper("klipper", "ei", 1.0, zeta)
     np.testing.assert_allclose(made.amplitudes[:2], found[:2], atol=SOLVED)
     np.testing.assert_allclose(made.delays[1:], [found[2], 1.0 / root], atol=SOLVED)
     assert np.abs(shaper("ei", 1.0, zeta).amplitudes[:2] - found[:2]).max() > 0.04 * zeta
@@ -110,7 +114,7 @@ def test_numbers_of_klipper() -> None:
     """What klippy/extras/shaper_defs.py of each version gives, its amplitudes over their sum."""
     for versions, kind, amplitudes, milliseconds in NUMBERS:
         for version in versions:  # to the digits of these numbers
-            made = as_made(version, kind, F, 0.1)
+            made = firmware_shaper(version, kind, F, 0.1)
             np.testing.assert_allclose(made.amplitudes, amplitudes, rtol=0, atol=2e-6)
             np.testing.assert_allclose(1e3 * made.delays, milliseconds, rtol=0, atol=2e-5)
 
@@ -119,18 +123,18 @@ def test_only_ei_of_klipper_has_changed() -> None:
     for kind in KINDS:
         for version in ("klipper", "klipper-2025-09", "klipper-2025-08"):
             changed = kind in HUMPS and version != "klipper-2025-08"
-            assert has_own(version, kind, 0.05) == changed
-            one, design = as_made(version, kind, F, 0.05), shaper(kind, F, 0.05)
+            assert has_own_formulas(version, kind, 0.05) == changed
+            one, design = firmware_shaper(version, kind, F, 0.05), shaper(kind, F, 0.05)
             assert np.allclose(one.amplitudes, design.amplitudes, rtol=0, atol=1e-12) != changed
     # Beyond its limits there is no such shaper, and nothing to be made.
-    assert not has_own("klipper", "3hump_ei", 0.21)
+    assert not has_own_formulas("klipper", "3hump_ei", 0.21)
 
 
 @pytest.mark.parametrize("version", list(VERSIONS))
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("zeta", [0.0, 0.02, 0.15])
 def test_every_version_makes_a_shaper(version: str, kind: str, zeta: float) -> None:
-    made = as_made(version, kind, F, zeta)
+    made = firmware_shaper(version, kind, F, zeta)
     assert made.amplitudes.sum() == pytest.approx(1.0, abs=1e-12)
     assert (made.amplitudes > 0.0).all()
     assert made.delays[0] == 0.0
@@ -139,32 +143,44 @@ def test_every_version_makes_a_shaper(version: str, kind: str, zeta: float) -> N
 
 def test_marlin_has_impulses_a_whole_number_of_milliseconds_apart() -> None:
     """Ni[1] = LROUND(base / f / df * FTM_FS), 0.5 or 0.375 periods of the damped mode; a ratio of 0.01 at least."""
-    np.testing.assert_allclose(as_made("marlin", "ei", 45.9, 0.0).delays, [0.0, 0.011, 0.022], atol=1e-12)
-    np.testing.assert_allclose(as_made("marlin", "mzv", 44.69, 0.1).delays, [0.0, 0.008, 0.016], atol=1e-12)
-    np.testing.assert_allclose(as_made("marlin", "mzv", 44.0, 0.1).delays, [0.0, 0.009, 0.018], atol=1e-12)
+    np.testing.assert_allclose(
+        firmware_shaper("marlin", "ei", 45.9, 0.0).delays, [0.0, 0.011, 0.022], atol=1e-12
+    )
+    np.testing.assert_allclose(
+        firmware_shaper("marlin", "mzv", 44.69, 0.1).delays, [0.0, 0.008, 0.016], atol=1e-12
+    )
+    np.testing.assert_allclose(
+        firmware_shaper("marlin", "mzv", 44.0, 0.1).delays, [0.0, 0.009, 0.018], atol=1e-12
+    )
     K = np.exp(-0.1 * np.pi / np.sqrt(1.0 - 0.01))
     weights = np.array([1.0, np.sqrt(2.0) * K, K**2])
-    made = as_made("marlin", "mzv", 44.69, 0.1)
+    made = firmware_shaper("marlin", "mzv", 44.69, 0.1)
     np.testing.assert_allclose(made.amplitudes, weights / weights.sum(), atol=1e-12)
-    undamped = as_made("marlin", "zvd", 44.69, 0.0)
+    undamped = firmware_shaper("marlin", "zvd", 44.69, 0.0)
     np.testing.assert_allclose(undamped.amplitudes, shaper("zvd", 44.69, 0.01).amplitudes, atol=1e-12)
-    assert as_made("marlin", "zv", 44.69, 0.1).delays[1] == shaper("zv", 44.69, 0.1).delays[1]  # M593
+    assert firmware_shaper("marlin", "zv", 44.69, 0.1).delays[1] == shaper("zv", 44.69, 0.1).delays[1]  # M593
 
 
 def test_marlin_gets_the_frequency_in_the_middle_of_those_with_the_same_impulses() -> None:
     for f in (43.8, 44.69, 46.5):
-        middle = settled("marlin", "mzv", f, 0.1)
-        assert as_made("marlin", "mzv", middle, 0.1).delays[1] == as_made("marlin", "mzv", f, 0.1).delays[1]
+        middle = centre_of_equal_impulses("marlin", "mzv", f, 0.1)
+        assert (
+            firmware_shaper("marlin", "mzv", middle, 0.1).delays[1]
+            == firmware_shaper("marlin", "mzv", f, 0.1).delays[1]
+        )
         assert shaper("mzv", middle, 0.1).delays[1] % 1e-3 == pytest.approx(0.0, abs=1e-9) or shaper(
             "mzv", middle, 0.1
         ).delays[1] % 1e-3 == pytest.approx(1e-3, abs=1e-9)
-    assert settled("klipper", "mzv", 44.69, 0.1) == 44.69
+    assert centre_of_equal_impulses("klipper", "mzv", 44.69, 0.1) == 44.69
 
 
 def test_reprapfirmware_has_the_humps_in_periods_of_the_damped_mode() -> None:
     damped = np.sqrt(1.0 - 0.03**2)
     for kind in ("2hump_ei", "3hump_ei"):
-        mine, others = as_made("reprapfirmware", kind, F, 0.03), as_made("klipper", kind, F, 0.03)
+        mine, others = (
+            firmware_shaper("reprapfirmware", kind, F, 0.03),
+            firmware_shaper("klipper", kind, F, 0.03),
+        )
         np.testing.assert_allclose(mine.delays * damped, others.delays, rtol=1e-12)
         np.testing.assert_allclose(mine.amplitudes, others.amplitudes, rtol=1e-12)
-    assert not has_own("reprapfirmware", "2hump_ei", 0.04)  # the impulses of the design are sent
+    assert not has_own_formulas("reprapfirmware", "2hump_ei", 0.04)  # the impulses of the design are sent

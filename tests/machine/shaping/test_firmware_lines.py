@@ -10,8 +10,14 @@ import pytest
 
 import pkmodes
 from pkmodes.machine.shaping import KINDS, residual, shaper
-from pkmodes.machine.shaping.firmware import VERSIONS, change, command, firmware, setting
-from pkmodes.machine.shaping.firmware_impulses import as_made
+from pkmodes.machine.shaping.firmware import (
+    VERSIONS,
+    commands_by_firmware,
+    configuration_lines,
+    lines_by_firmware,
+    runtime_command,
+)
+from pkmodes.machine.shaping.firmware_impulses import firmware_shaper
 from pkmodes.machine.shaping.version_lines import lines_by_version
 
 ROOT = Path(__file__).parents[3]
@@ -19,7 +25,7 @@ F, ZETA = 31.27, 0.02
 
 
 def lines(kind: str, f: tuple[float, ...] = (F,)) -> dict[str, str | None]:
-    return firmware(kind, f, ZETA, shaper(kind, f if len(f) > 1 else f[0], ZETA))
+    return lines_by_firmware(kind, f, ZETA, shaper(kind, f if len(f) > 1 else f[0], ZETA))
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -42,7 +48,10 @@ def test_klipper_gets_a_section_with_the_names_of_its_manual(kind: str) -> None:
 @pytest.mark.parametrize("kind", KINDS)
 def test_klipper_changes_the_shaper_during_a_print_to_what_the_section_says(kind: str) -> None:
     """Names and values of ``SET_INPUT_SHAPER``, which it splits at blanks and equal signs (klipper3d.org/G-Codes)."""
-    f = {name: command(kind, (F,), ZETA, shaper(kind, F, ZETA))[name] for name in ("klipper", "marlin")}
+    f = {
+        name: commands_by_firmware(kind, (F,), ZETA, shaper(kind, F, ZETA))[name]
+        for name in ("klipper", "marlin")
+    }
     assert f["marlin"] == lines(kind)["marlin"]
     section = lines(kind)["klipper"]
     if section is None:
@@ -61,7 +70,10 @@ def test_marlin_gets_m593_for_zv_and_fixed_time_motion_for_the_others() -> None:
     assert lines("2hump_ei")["marlin"] == "M493 S1 X Y C6 A31.27 I0.0200 Q0.05"
     assert lines("zv*zv", (20.0, 33.0))["marlin"] is None
     # It accepts no damping ratio below 1 %.
-    assert firmware("zvd", (F,), 0.005, shaper("zvd", F, 0.005))["marlin"] == "M493 S1 X Y C2 A31.27 I0.0100"
+    assert (
+        lines_by_firmware("zvd", (F,), 0.005, shaper("zvd", F, 0.005))["marlin"]
+        == "M493 S1 X Y C2 A31.27 I0.0100"
+    )
 
 
 @pytest.mark.parametrize("kind", ["zv", "mzv", "2hump_ei"])
@@ -69,12 +81,15 @@ def test_a_damping_ratio_of_zero_is_no_line_to_paste(kind: str) -> None:
     """Klipper and Marlin get none and take their own; RepRapFirmware gets the impulses themselves."""
     one = shaper(kind, F, 0.0)
     for version in VERSIONS:
-        for text in (setting(version, kind, (F,), 0.0, one), change(version, kind, (F,), 0.0, one)):
+        for text in (
+            configuration_lines(version, kind, (F,), 0.0, one),
+            runtime_command(version, kind, (F,), 0.0, one),
+        ):
             assert text is not None
             assert "damping" not in text.lower()
             assert not re.search(r" [DSIJ]0\.0", text)
             assert ('P"custom"' in text) == version.startswith("reprapfirmware")
-    assert setting("klipper", kind, (F,), 0.0, one) == (
+    assert configuration_lines("klipper", kind, (F,), 0.0, one) == (
         f"[input_shaper]\nshaper_type: {kind}\nshaper_freq_x: 31.27\nshaper_freq_y: 31.27"
     )
 
@@ -125,7 +140,7 @@ def test_what_firmware_would_refuse_is_not_printed() -> None:
     """Limits of Klipper's damping ratios; of Marlin's frequencies and damping ratios in fixed-time motion."""
 
     def of(kind: str, f: float, zeta: float) -> dict[str, str | None]:
-        return firmware(kind, (f,), zeta, shaper(kind, f, zeta))
+        return lines_by_firmware(kind, (f,), zeta, shaper(kind, f, zeta))
 
     assert of("3hump_ei", F, 0.2)["klipper"] is not None
     assert of("3hump_ei", F, 0.21)["klipper"] is None
@@ -159,19 +174,21 @@ def parsed_m493(text: str | None, *, by_axis: bool) -> dict[str, tuple[float, ..
 @pytest.mark.parametrize("kind", ["zvd", "mzv", "3hump_ei"])
 def test_marlin_before_october_2025_gets_the_letters_of_its_own(kind: str) -> None:
     one = shaper(kind, F, ZETA)
-    newer = parsed_m493(change("marlin", kind, (F,), ZETA, one), by_axis=True)
-    older = parsed_m493(change("marlin-2025-09", kind, (F,), ZETA, one), by_axis=False)
+    newer = parsed_m493(runtime_command("marlin", kind, (F,), ZETA, one), by_axis=True)
+    older = parsed_m493(runtime_command("marlin-2025-09", kind, (F,), ZETA, one), by_axis=False)
     number = {"zvd": 2.0, "mzv": 8.0, "3hump_ei": 7.0}[kind]
     assert (
         newer == older == {axis: (number, F, ZETA, *([0.05] if kind == "3hump_ei" else [])) for axis in "XY"}
     )
-    assert change("marlin-2025-09", "zv", (F,), ZETA, one) == change("marlin", "zv", (F,), ZETA, one)
+    assert runtime_command("marlin-2025-09", "zv", (F,), ZETA, one) == runtime_command(
+        "marlin", "zv", (F,), ZETA, one
+    )
 
 
 def test_reprapfirmware_before_3_6_gets_sums_and_times_between_impulses() -> None:
     """H: share of the acceleration after each impulse but the last; T: how long each lasts [s] (source of 3.5.3)."""
     one = shaper("zv*zv", (20.0, 33.0), ZETA)
-    text = change("reprapfirmware-3.5", "zv*zv", (20.0, 33.0), ZETA, one)
+    text = runtime_command("reprapfirmware-3.5", "zv*zv", (20.0, 33.0), ZETA, one)
     found = re.fullmatch(r'M593 P"custom" H([\d.:]+) T([\d.:]+)', text or "")
     assert found is not None
     H, T = ([float(number) for number in group.split(":")] for group in found.groups())
@@ -181,15 +198,15 @@ def test_reprapfirmware_before_3_6_gets_sums_and_times_between_impulses() -> Non
 
 def test_reprapfirmware_gets_the_impulses_of_mzv_where_its_own_are_in_reverse_order() -> None:
     assert str(lines("mzv")["reprapfirmware"]).startswith('M593 P"custom" H')
-    hardly_damped = firmware("mzv", (F,), 0.0005, shaper("mzv", F, 0.0005))["reprapfirmware"]
+    hardly_damped = lines_by_firmware("mzv", (F,), 0.0005, shaper("mzv", F, 0.0005))["reprapfirmware"]
     assert hardly_damped == 'M593 P"mzv" F31.27 S0.0005'
 
 
 def test_klipper_before_september_2025_has_no_limit_of_damping_ratios() -> None:
     one = shaper("3hump_ei", F, 0.3)
-    assert setting("klipper", "3hump_ei", (F,), 0.3, one) is None
-    assert "shaper_type: 3hump_ei" in str(setting("klipper-2025-08", "3hump_ei", (F,), 0.3, one))
-    assert setting("klipper-2025-08", "zvdd", (F,), 0.0, shaper("zvdd", F, 0.0)) is None
+    assert configuration_lines("klipper", "3hump_ei", (F,), 0.3, one) is None
+    assert "shaper_type: 3hump_ei" in str(configuration_lines("klipper-2025-08", "3hump_ei", (F,), 0.3, one))
+    assert configuration_lines("klipper-2025-08", "zvdd", (F,), 0.0, shaper("zvdd", F, 0.0)) is None
 
 
 def test_versions_that_differ_are_offered_with_what_each_leaves() -> None:
@@ -209,13 +226,13 @@ def test_versions_that_differ_are_offered_with_what_each_leaves() -> None:
     assert found["klipper"].version == "Klipper from 22 September 2025 (v0.13.0-273)"
     assert found["klipper-2025-08"].version == "Klipper before 22 September 2025 (v0.13.0-273)"
     for option in ("klipper", "klipper-2025-08", "marlin"):
-        made = as_made(option, "2hump_ei", best.frequencies[0], best.damping_ratio)
+        made = firmware_shaper(option, "2hump_ei", best.frequencies[0], best.damping_ratio)
         left = residual(made, at.frequencies, at.damping_ratios)[0, 0]
         assert found[option].worst == pytest.approx(left, rel=1e-9, abs=1e-12)
     assert found["klipper"].worst != pytest.approx(found["klipper-2025-08"].worst, rel=0.1)
     # Asked for by name, the design is for the impulses of that version.
     asked = model.shapers([[0.05, 0.05]], "2hump_ei", modes=1, firmware="klipper")
-    made = as_made("klipper", "2hump_ei", asked.candidates[0].frequencies[0], best.damping_ratio)
+    made = firmware_shaper("klipper", "2hump_ei", asked.candidates[0].frequencies[0], best.damping_ratio)
     np.testing.assert_allclose(asked.candidates[0].shaper.delays, made.delays, rtol=1e-12)
     assert any(
         "2hump_ei is compared with the impulses that Klipper from 31 March 2026" in note

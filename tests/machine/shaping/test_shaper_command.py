@@ -199,7 +199,8 @@ def test_firmware_without_the_recommended_shaper_is_told_which_it_has(
     assert found["shapers"][found["recommended"]]["kind"] == "zv*zv"
     assert found["firmware"]["klipper"] is found["firmware"]["marlin"] is None
     worst = found["shapers"][0]["left"]["worst"]
-    said = f"no zv*zv in Klipper and Marlin: lines are for ei, which leaves up to {100 * worst:.2g} % of the largest"
+    lacking = "Klipper and Marlin have no zv*zv: their lines set ei"
+    said = f"{lacking}, which leaves up to {100 * worst:.2g} % of the largest"
     assert [note for note in found["notes"] if said in note]
     lines = {version["option"]: version for version in found["firmware_versions"]}
     assert (lines["klipper"]["shaper"], lines["klipper"]["instead"]) == ("ei", True)

@@ -27,9 +27,11 @@ def test_a_window_of_the_responses_is_taken_off_the_damping(blow, tau: float | N
     y = y + 1e-3 * np.abs(y).max(axis=0) * rng.standard_normal(y.shape)
     if tau:
         y = y * np.exp(-np.arange(len(y)) / RATE / tau)[:, None]
-    e = impact_estimate(1.0 / RATE, force, y, exponential=tau)
+    e = impact_estimate(1.0 / RATE, force, y, window_time_constant=tau)
     assert e.messages == ()
-    modes = identify_frf(e.frequencies, e.H, band=(10.0, 400.0), power=2, exponential=tau).modes
+    modes = identify_frf(
+        e.frequencies, e.H, band=(10.0, 400.0), derivative_order=2, window_time_constant=tau
+    ).modes
     assert [m.frequency for m in modes] == pytest.approx([40.0, 90.0], rel=3e-4)
     assert [m.damping for m in modes] == pytest.approx([0.01, 0.006], rel=0.03)
     assert all(mac(m.shape, s.shapes[OUTPUTS, k]) > 0.999 for k, m in enumerate(modes))
@@ -43,7 +45,7 @@ def test_a_pole_without_its_window() -> None:
 def test_a_decay_that_the_record_cuts_off_is_exact(blow) -> None:
     _, force, y = blow
     e = impact_estimate(1.0 / RATE, force[:1500], y[:1500])
-    modes = identify_frf(e.frequencies, e.H, band=(10.0, 400.0), power=2).modes
+    modes = identify_frf(e.frequencies, e.H, band=(10.0, 400.0), derivative_order=2).modes
     assert [m.frequency for m in modes] == pytest.approx([40.0, 90.0], rel=1e-4)
     assert [m.damping for m in modes] == pytest.approx([0.01, 0.006], rel=0.02)
 

@@ -25,7 +25,7 @@ def rms(H: np.ndarray) -> float:
 def test_exact_responses_give_exact_modes(power: int) -> None:
     s = random_structure(np.random.default_rng(1))
     H = s.response(LINES, [0, 1, 2, 3], [0, 1], power)
-    e = identify_frf(LINES, H, band=BAND, power=power)
+    e = identify_frf(LINES, H, band=BAND, derivative_order=power)
     assert len(e.modes) == 6
     for m, mode in enumerate(e.modes):
         assert mode.frequency == pytest.approx(s.frequencies[m], rel=3e-5)
@@ -40,7 +40,7 @@ def test_two_modes_one_per_cent_apart() -> None:
     for f0 in (60.0, 140.0, 290.0):
         s = structure(np.array([30.0, f0, 1.01 * f0, 700.0]), np.array([0.01, 0.005, 0.008, 0.02]), rng)
         H = s.response(LINES, [0, 1, 2], [0, 1], 2)
-        modes = identify_frf(LINES, H + noise(rng, H, 0.01 * rms(H)), band=BAND, power=2).modes
+        modes = identify_frf(LINES, H + noise(rng, H, 0.01 * rms(H)), band=BAND, derivative_order=2).modes
         near = [mode for mode in modes if abs(mode.frequency / f0 - 1.0) < 0.03]
         assert len(near) == 2
         assert all(mac(mode.shape, s.shapes[:3, 1 + k]) > 0.95 for k, mode in enumerate(near))
@@ -49,7 +49,9 @@ def test_two_modes_one_per_cent_apart() -> None:
 def test_noise_alone_holds_no_mode() -> None:
     for seed in range(5):
         H = noise(np.random.default_rng(seed), np.zeros((800, 4, 1), complex), 1.0)
-        assert identify_frf(10.0 + 0.5 * np.arange(800), H, band=(10.0, 409.5), power=2).modes == ()
+        assert (
+            identify_frf(10.0 + 0.5 * np.arange(800), H, band=(10.0, 409.5), derivative_order=2).modes == ()
+        )
 
 
 def test_scale_of_sensors_and_references_does_not_matter() -> None:
@@ -57,8 +59,8 @@ def test_scale_of_sensors_and_references_does_not_matter() -> None:
     s = random_structure(rng)
     H = s.response(LINES, [0, 1, 2], [0, 1], 2)
     H = H + noise(rng, H, 0.01 * rms(H))
-    plain = identify_frf(LINES, H, band=BAND, power=2).modes
-    scaled = identify_frf(LINES, H * np.array([1e-6, 1.0, 1e5])[:, None], band=BAND, power=2).modes
+    plain = identify_frf(LINES, H, band=BAND, derivative_order=2).modes
+    scaled = identify_frf(LINES, H * np.array([1e-6, 1.0, 1e5])[:, None], band=BAND, derivative_order=2).modes
     assert [m.frequency for m in scaled] == pytest.approx([m.frequency for m in plain], rel=1e-7)
 
 
@@ -68,7 +70,7 @@ def test_pairs_of_sensor_and_reference_may_be_missing() -> None:
     H = s.response(LINES, [0, 1, 2, 3], [0, 1], 2)
     H = H + noise(rng, H, 0.003 * rms(H))
     H[:, 1, 0] = H[:, 2, 1] = H[:, 3, :] = np.nan
-    modes = identify_frf(LINES, H, band=BAND, power=2).modes
+    modes = identify_frf(LINES, H, band=BAND, derivative_order=2).modes
     assert len(modes) == 6
     for m, mode in enumerate(modes):
         assert np.isnan(mode.shape[3])
@@ -83,7 +85,7 @@ def test_a_tone_is_no_mode_and_a_mode_beside_it_is() -> None:
     H = H + noise(rng, H, 0.003 * rms(H))
     for tone in (50.0, 100.0, 150.0):
         H[np.argmin(np.abs(LINES - tone))] += 0.5 * np.abs(H).max()
-    modes = identify_frf(LINES, H, band=BAND, power=2, tones=[50.0]).modes
+    modes = identify_frf(LINES, H, band=BAND, derivative_order=2, tones=[50.0]).modes
     assert [m.frequency for m in modes] == pytest.approx([50.6, 120.0], rel=1e-3)
 
 
@@ -94,7 +96,7 @@ def test_references_that_disagree_widen_sigma_and_make_no_second_mode() -> None:
     moved = s.response(LINES * 1.0005, [0, 1, 2, 3], [1], 2)
     other = np.concatenate([H[..., :1], moved], axis=2)
     e = noise(rng, H, 0.003 * rms(H))
-    plain, shifted = (identify_frf(LINES, X + e, band=BAND, power=2).modes for X in (H, other))
+    plain, shifted = (identify_frf(LINES, X + e, band=BAND, derivative_order=2).modes for X in (H, other))
     assert len(plain) == len(shifted) == 6
     for one, two in zip(plain, shifted, strict=True):
         assert two.sigma_frequency > one.sigma_frequency
@@ -113,7 +115,7 @@ def test_two_sigma_covers_and_nothing_is_false() -> None:
         outputs = list(range(min(6, len(s.M))))
         H = s.response(f, outputs, [0, 1][: 1 + seed % 2], seed % 3)  # one reference in every other structure
         sigma = 10 ** rng.uniform(-2.5, -0.8) * np.sqrt((np.abs(H) ** 2).mean(axis=(0, 2)))[:, None]
-        modes = identify_frf(f, H + noise(rng, H, sigma), band=BAND, power=seed % 3).modes
+        modes = identify_frf(f, H + noise(rng, H, sigma), band=BAND, derivative_order=seed % 3).modes
         used = set()
         for m in np.flatnonzero(s.frequencies < BAND[1]):
             pole = 2.0 * np.pi * s.frequencies[m] * (1j - s.damping[m])
@@ -146,9 +148,9 @@ def test_two_sigma_covers_and_nothing_is_false() -> None:
 def test_too_few_lines_and_no_complete_function_are_refused() -> None:
     H = np.ones((100, 2, 1), complex)
     with pytest.raises(MeasurementError, match="24 lines, found 3"):
-        identify_frf(np.arange(100.0), H, band=(10.0, 12.0), power=2)
+        identify_frf(np.arange(100.0), H, band=(10.0, 12.0), derivative_order=2)
     with pytest.raises(MeasurementError, match="without gaps"):
-        identify_frf(np.arange(100.0), H * np.nan, band=(10.0, 90.0), power=2)
+        identify_frf(np.arange(100.0), H * np.nan, band=(10.0, 90.0), derivative_order=2)
 
 
 def test_lines_at_a_stated_tone_do_not_bend_the_mode_beside_it() -> None:
@@ -157,12 +159,12 @@ def test_lines_at_a_stated_tone_do_not_bend_the_mode_beside_it() -> None:
     s = structure(np.array([50.6, 120.0, 600.0]), np.array([0.01, 0.01, 0.01]), rng)
     H = s.response(LINES, [0, 1, 2], [0], 2)
     H = H + noise(rng, H, 0.003 * rms(H))
-    plain = identify_frf(LINES, H, band=BAND, power=2).modes[0]
+    plain = identify_frf(LINES, H, band=BAND, derivative_order=2).modes[0]
     loud = H.copy()
     loud[LINES == 50.0] += 3.0 * np.abs(H).max() * np.exp(1j * rng.uniform(0.0, 6.0, (1, 3, 1)))
     near = [
         mode
-        for mode in identify_frf(LINES, loud, band=BAND, power=2, tones=(50.0,)).modes
+        for mode in identify_frf(LINES, loud, band=BAND, derivative_order=2, tones=(50.0,)).modes
         if mode.frequency < 60.0
     ]
     assert len(near) == 1
@@ -187,7 +189,7 @@ def test_lines_without_bandwidth_are_found_and_do_not_bend_the_modes(width: str)
         s = random_structure(rng, 4)
         H = s.response(LINES, [0, 1, 2], [0], 2)
         H = H + noise(rng, H, 0.003 * rms(H))
-        plain = identify_frf(LINES, H, band=BAND, power=2)
+        plain = identify_frf(LINES, H, band=BAND, derivative_order=2)
         tones = [at + 0.25 * rng.uniform(0.2, 0.8) for at in (49.75, 211.0, 333.25)]
         loud = H.copy()
         for tone in tones:
@@ -200,7 +202,7 @@ def test_lines_without_bandwidth_are_found_and_do_not_bend_the_modes(width: str)
                 "Hann": np.where(np.abs(LINES - tone) < 3.0, hann_lines(LINES, tone), 0.0),
             }[width]
             loud += 0.3 * np.abs(H).max() * np.einsum("f,s->fs", at_lines, rng.normal(size=3))[:, :, None]
-        found = identify_frf(LINES, loud, band=BAND, power=2)
+        found = identify_frf(LINES, loud, band=BAND, derivative_order=2)
         assert len(found.modes) == len(plain.modes)
         for one, other in zip(found.modes, plain.modes, strict=True):
             assert abs(one.frequency - other.frequency) < 2.0 * other.sigma_frequency
@@ -217,7 +219,7 @@ def test_a_mode_whose_bandwidth_the_lines_do_not_resolve_is_no_tone(step: float)
         rng = np.random.default_rng(seed)
         s = structure(np.array([rng.uniform(49.0, 51.0), 120.0, 400.0]), np.array([0.001, 0.01, 0.02]), rng)
         H = s.response(f, [0, 1, 2], [0], 2)
-        e = identify_frf(f, H + noise(rng, H, 0.02 * rms(H)), band=(10.0, 149.0), power=2)
+        e = identify_frf(f, H + noise(rng, H, 0.02 * rms(H)), band=(10.0, 149.0), derivative_order=2)
         assert e.tones == ()
         mode = e.modes[0]
         assert abs(mode.frequency - s.frequencies[0]) < 4.0 * mode.sigma_frequency

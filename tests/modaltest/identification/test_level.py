@@ -95,7 +95,7 @@ def test_false_alarms_are_rare() -> None:
         force, y = impact(s, outputs, 0, 2, 2048.0, float(rng.uniform(2.0, 6.0)))
         y = y + 10 ** rng.uniform(-3.3, -1.3) * y.std(axis=0) * rng.normal(size=y.shape)
         e = impact_estimate(1.0 / 2048.0, force, y)
-        modes = identify_frf(e.frequencies, e.H, band=(10.0, 400.0), power=2).modes
+        modes = identify_frf(e.frequencies, e.H, band=(10.0, 400.0), derivative_order=2).modes
         poles, shapes = np.array([mode.pole for mode in modes]), np.array([mode.shape for mode in modes])
         alarms += sum(one.shift is not None for one in levels(1.0 / 2048.0, [y], poles, shapes))
     assert alarms == 0

@@ -19,7 +19,7 @@ from pkmodes_rig.structures.not_linear import BAND, DAMPING, FREQUENCIES, LINES,
 
 
 def identified(seed: int, band: tuple[float, float] = BAND, **kind: Any) -> Estimate:
-    return identify_frf(LINES, responses(np.random.default_rng(seed), **kind), band=band, power=2)
+    return identify_frf(LINES, responses(np.random.default_rng(seed), **kind), band=band, derivative_order=2)
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -140,7 +140,10 @@ def test_a_close_pair_of_a_linear_machine_stays_a_pair(seed: int) -> None:
     f = np.arange(100.0, 400.0, 0.05)
     H = s.response(f, [0, 1, 2], [0, 1], 2)
     e = identify_frf(
-        f, H + noise(rng, H, 0.003 * np.sqrt((np.abs(H) ** 2).mean())), band=(100.0, 400.0), power=2
+        f,
+        H + noise(rng, H, 0.003 * np.sqrt((np.abs(H) ** 2).mean())),
+        band=(100.0, 400.0),
+        derivative_order=2,
     )
     assert [round(mode.frequency, 1) for mode in e.modes] == [146.0, 146.9, 300.0]
     assert e.spurious_frequencies == ()

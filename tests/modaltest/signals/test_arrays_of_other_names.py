@@ -151,7 +151,7 @@ def test_the_measurement_has_to_be_named(path: Path) -> None:
 def test_times_that_count_samples_are_none_beside_a_rate(path: Path) -> None:
     found = read_signals(written(path, t=np.arange(4.0), fs=4.0, x=X))
     assert by_name(found)["x"].abscissa.tolist() == TIME.tolist()
-    assert "t counts samples, of 4 Hz" in found.messages[-1]
+    assert "t counts samples: the rate of 4 Hz" in found.messages[-1]
     assert by_name(read_signals(written(path, t=np.arange(4.0), x=X)))["x"].abscissa.tolist() == [
         0.0,
         1.0,

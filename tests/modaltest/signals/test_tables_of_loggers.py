@@ -160,7 +160,10 @@ def test_rates_that_contradict_each_other_are_asked_for(tmp_path: Path) -> None:
         read(tmp_path, text)
     found = read(tmp_path, text, SignalRequest(3187.5))
     assert found.functions[-1].abscissa[1] == 1.0 / 3187.5
-    assert "the file states a rate of 3200 Hz; that of the record, 3187.5 Hz, is used" in found.messages[0]
+    assert (
+        "the file states a rate of 3200 Hz; the rate given in the campaign's record, 3187.5 Hz, is used"
+        in found.messages[0]
+    )
 
 
 def test_times_prevail_over_a_rate_in_the_comments(tmp_path: Path) -> None:
@@ -191,7 +194,7 @@ def test_times_that_count_samples_are_none_beside_a_rate(tmp_path: Path) -> None
     for asked, comment in ((SignalRequest(4.0), ""), (SignalRequest(), "# rate 4\n")):
         found = read(tmp_path, f"{comment}{text}", asked)
         assert found.functions[0].abscissa.tolist() == [0.0, 0.25, 0.5]
-        assert 'its column "time" counts samples, of 4 Hz' in found.messages[-1]
+        assert 'its column "time" counts samples: the rate of 4 Hz' in found.messages[-1]
 
 
 def test_lost_samples_that_a_comment_states_are_said(tmp_path: Path) -> None:

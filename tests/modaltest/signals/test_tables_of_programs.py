@@ -75,7 +75,10 @@ def test_files_of_a_printers_firmware_state_their_rate(tmp_path: Path, overflows
     assert all(f"Rate 800, overflows {overflows}" in one for one in found.messages)
     own = read(tmp_path, text, SignalRequest(rate=400.0, sensors=ACCELEROMETER))
     assert own.functions[0].abscissa.tolist() == [0.0, 1 / 400], "the record prevails"
-    assert any("states a rate of 800 Hz; that of the record, 400 Hz" in one for one in own.messages)
+    assert any(
+        "states a rate of 800 Hz; the rate given in the campaign's record, 400 Hz" in one
+        for one in own.messages
+    )
     with pytest.raises(
         MeasurementError, match='the text "Failed to collect data from accelerometer"'
     ) as error:

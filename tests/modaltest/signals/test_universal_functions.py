@@ -251,7 +251,7 @@ def test_units_hold_for_functions_before_them(path: Path) -> None:
     function = dataset58(PAIRS, ordinate=5, **header)
     for content in (units_of(1e3, 1.0) + function, function + units_of(1e3, 1.0)):
         found = only(path, content)
-        assert (found.unit, found.reference_unit, found.assumed) == ("mm/s^2", "N", False)
+        assert (found.unit, found.reference_unit, found.unit_assumed) == ("mm/s^2", "N", False)
     path.write_bytes(function + units_of(1e3, 1.0) + dataset58(NUMBERS) + units_of(1e3, 1.0))
     assert [one.unit for one in read_signals(path).functions] == ["mm/s^2", "m/s^2"]  # the second has a label
 

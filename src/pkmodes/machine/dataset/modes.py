@@ -25,7 +25,7 @@ def to_dataset(modes: Modes) -> xarray.Dataset:
 
     docs/reference/map-dataset.md describes them.
 
-    - modes: of a robot at poses
+    - modes: modes of a robot at poses
 
     Its leading axes are those of the poses: ``pose``, or ``pose_1``, ``pose_2``, ... for several.  Rigid-body modes
     are left out, and so are fields that were not requested.
@@ -89,7 +89,7 @@ def to_dataset(modes: Modes) -> xarray.Dataset:
 def to_table(modes: Modes) -> pandas.DataFrame:
     """Return the vibration modes as a table, which pandas writes as CSV or Parquet.
 
-    - modes: of a robot at poses
+    - modes: modes of a robot at poses
 
     Returns one row for each mode at each pose, with the columns of a map in a table (docs/reference/map-dataset.md).
     Raises MissingExtraError if the libraries of the extra ``map`` are not installed.

@@ -130,8 +130,8 @@ def _fields_of(
 
     - arrays: the fields of `pkmodes.machine.maps.evaluating.field_layouts`, each (rows, ...); stored ones become Dask
       arrays, so that a map can be written without having it in memory
-    - shape: of the map; rows are in C order
-    - reasons: by code
+    - shape: shape of the map; rows are in C order
+    - reasons: reasons by code
     - tracked: modes by shape instead of by rank
     """
     fields = {name: _reshape_to_map(arrays[name], shape) for name in arrays}
@@ -220,7 +220,7 @@ def _reorder_modes(values: Array, ranks: Array, factors: Array | None = None, *,
     """Return values of modes in another order, multiplied by factors if there are any.
 
     - ranks, factors: of length 1 along axes after that of the modes
-    - axis: that of the modes
+    - axis: axis of the modes
     """
     ordered = np.take_along_axis(values, ranks, axis=axis)
     return ordered if factors is None else ordered * factors

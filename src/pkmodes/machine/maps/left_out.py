@@ -2,7 +2,7 @@
 
 Near a singular pose the equations still have a solution, but it describes the singularity: a belt span of almost no
 length is a spring of almost any stiffness, and a link near its singular direction gives way to any force.  At an
-unstable pose the machine moves away instead of vibrating.  Such poses keep their values in the dataset; summaries of
+unstable pose the machine diverges instead of vibrating.  Such poses keep their values in the dataset; summaries of
 a map leave them out and state how many there are.
 """
 
@@ -26,10 +26,11 @@ if TYPE_CHECKING:
 #: `MEDIAN_FACTOR` times its median over the poses of the robot, or where a frequency is above `MEDIAN_FACTOR` times
 #: its median.
 CONDITION_LIMIT, MEDIAN_FACTOR = 100.0, 10.0
-#: A negative frequency is more than rounding if it is at least this fraction of the highest one at its pose: its
-#: eigenvalue is then 1e-12 of the highest.
+#: A negative frequency counts as rounding up to this fraction of the highest frequency of its pose (1e-12 in
+#: eigenvalues).
 ROUNDING_FRACTION = 1e-6
-MEDIAN_VARIABLES = "median_frequency", "median_condition"
+#: Variables added by `with_medians`.
+MEDIAN_FREQUENCY, MEDIAN_CONDITION = "median_frequency", "median_condition"
 NEAR_SINGULAR_RULE = (
     f"the condition number of the platform Jacobian is above {CONDITION_LIMIT:g} and {MEDIAN_FACTOR:g} times its "
     f"median, or a frequency above {MEDIAN_FACTOR:g} times its median, as where a spring, such as a belt span, has "
@@ -38,12 +39,13 @@ NEAR_SINGULAR_RULE = (
 
 
 def with_medians(dataset: xarray.Dataset) -> xarray.Dataset:
-    """Add to a map the medians by which its poses are judged, for each robot of a sweep or of samples.
+    """Add to a map the medians by which poses are judged near-singular, for each robot of a sweep or of samples.
 
     - dataset: from `pkmodes.Model.map`; it is read part by part.  Without condition numbers only its frequencies
       decide.
     """
     if "condition" not in dataset:
+        # 1 wherever there is a frequency, NaN elsewhere.
         dataset = dataset.assign(condition=abs(dataset["frequency"].isel(mode=0, drop=True)).clip(1.0, 1.0))
     robot_dims = [str(dim) for dim in dataset["condition"].dims if "." in str(dim) or dim == SAMPLE]
     pose_dims = [str(dim) for dim in dataset["condition"].dims if dim not in robot_dims]
@@ -59,16 +61,19 @@ def with_medians(dataset: xarray.Dataset) -> xarray.Dataset:
 
     median_values = quantiles(rows, [0.5]).reshape(*robot_sizes, modes + 1)
     medians = {
-        MEDIAN_VARIABLES[0]: ((*robot_dims, "mode"), median_values[..., :-1]),
-        MEDIAN_VARIABLES[1]: (tuple(robot_dims), median_values[..., -1]),
+        MEDIAN_FREQUENCY: ((*robot_dims, "mode"), median_values[..., :-1]),
+        MEDIAN_CONDITION: (tuple(robot_dims), median_values[..., -1]),
     }
     return dataset.assign(medians)
 
 
 def singularity_ratio(part: xarray.Dataset) -> xarray.DataArray:
-    """Return the ratio of poses of a map from `with_medians`, or a part, to the limit; near-singular above 1."""
-    frequency = (part["frequency"] / (MEDIAN_FACTOR * abs(part[MEDIAN_VARIABLES[0]]))).max("mode")
-    bound = (MEDIAN_FACTOR * part[MEDIAN_VARIABLES[1]]).clip(min=CONDITION_LIMIT)
+    """Return how far each pose is from the near-singular limit, as a ratio; above 1 it is near-singular.
+
+    - part: map from `with_medians`, or a part of it
+    """
+    frequency = (part["frequency"] / (MEDIAN_FACTOR * abs(part[MEDIAN_FREQUENCY]))).max("mode")
+    bound = (MEDIAN_FACTOR * part[MEDIAN_CONDITION]).clip(min=CONDITION_LIMIT)
     condition = part["condition"] / bound
     return frequency.where(frequency >= condition, condition).transpose(*part["condition"].dims)
 
@@ -91,7 +96,7 @@ def without_unrepresentative(dataset: xarray.Dataset) -> xarray.Dataset:
     return dataset.assign(frequency=dataset["frequency"].where(representative_mask(with_medians(dataset))))
 
 
-def left_out_in_words(dataset: xarray.Dataset) -> str:
+def exclusion_caption(dataset: xarray.Dataset) -> str:
     """Return how many poses of a map `without_unrepresentative` leaves out, for a caption; empty if none."""
     map_with_medians = with_medians(dataset)
     near_singular_count, unstable_count = (
@@ -105,32 +110,32 @@ def left_out_in_words(dataset: xarray.Dataset) -> str:
     return f" Ranges and triangles leave out {' and '.join(exclusions)} {poses}{blank}." if exclusions else ""
 
 
-def loaded_parts(dataset: xarray.Dataset, leading: list[str]) -> Iterator[tuple[list[int], xarray.Dataset]]:
-    """Yield the parts of a dataset along some axes, loaded, each after the index of its first pose."""
-    shape = tuple(dataset.sizes[dim] for dim in leading)
+def loaded_parts(dataset: xarray.Dataset, dims: list[str]) -> Iterator[tuple[list[int], xarray.Dataset]]:
+    """Yield the parts of a dataset along some dimensions, loaded, each with the index of its first pose."""
+    shape = tuple(dataset.sizes[dim] for dim in dims)
     sizes = chunks_of(shape, len(shape))
     for origin in itertools.product(
         *(range(0, length, size) for length, size in zip(shape, sizes, strict=True))
     ):
-        part = {
-            dim: slice(first, first + size) for dim, first, size in zip(leading, origin, sizes, strict=True)
+        selection = {
+            dim: slice(start, start + size) for dim, start, size in zip(dims, origin, sizes, strict=True)
         }
-        yield list(origin), dataset.isel(part).load()
+        yield list(origin), dataset.isel(selection).load()
 
 
-def left_out_sentences(content: dict[str, Any], units: dict[str, tuple[str, float]]) -> list[str]:
-    """Return which poses the numbers of a summary leave out, and the worst of them.
+def exclusion_sentences(content: dict[str, Any], units: dict[str, tuple[str, float]]) -> list[str]:
+    """Return sentences on the poses that the numbers of a summary leave out, and on the worst of them.
 
-    - content: of the summary, as JSON has it
+    - content: the summary, as in JSON
     - units: display units of the map's axes, with the factors from SI units
     """
     lines = []
-    for key, adjective, reason, worst in (
+    for key, adjective, reason, superlative in (
         ("near_singular", "near-singular", NEAR_SINGULAR_RULE, "the farthest"),
         (
             "unstable",
             "unstable",
-            "the machine moves away instead of vibrating, and the map gives the rate as a negative frequency",
+            "the machine diverges instead of vibrating, and the map gives the rate as a negative frequency",
             "the fastest",
         ),
     ):
@@ -145,7 +150,7 @@ def left_out_sentences(content: dict[str, Any], units: dict[str, tuple[str, floa
                 coordinates.append(
                     f"{name} {pose[name]}" if label else f"{name} = {factor * pose[name]:.4g} {unit}".rstrip()
                 )
-            position = "at" if count == 1 else f"{worst} at"
+            position = "at" if count == 1 else f"{superlative} at"
             lines.append(
                 f"{count:,} {poses} {adjective} and not in these numbers: {reason}; "
                 f"{position} {', '.join(coordinates)}."

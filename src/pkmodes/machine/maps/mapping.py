@@ -156,7 +156,7 @@ def map_of(
     samples : int, optional
         Number of robots whose values with a standard deviation are drawn from normal distributions.
     seed : int
-        Of the draws.
+        Seed of the draws.
     shapes : bool
         Whether to keep mode shapes.
     tracked : bool

@@ -14,18 +14,18 @@ from pkmodes.core.robot.units import DISPLAY_UNITS
 from pkmodes.machine.maps.poses import Poses
 
 Array = NDArray[np.float64]
-#: Poses along a path, besides its corners.
-COUNT = 101
+#: Number of poses at equal distances along a path, to which its corners are added.
+EVEN_POSE_COUNT = 101
 
 
 @dataclass(frozen=True, eq=False)
 class PosePath:
     """Poses along a path.
 
-    - poses: one after the other
-    - distance: of each from the beginning, (N,), in `unit`
-    - corners: where the path turns, and its ends, (K,), likewise
-    - unit: as in figures, such as mm
+    - poses: poses in the order of the path
+    - distance: distance of each pose from the beginning, (N,), in `unit`
+    - corners: distance of each corner and end of the path from the beginning, (K,), in `unit`
+    - unit: unit of the distance in figures, such as mm
     """
 
     poses: Poses
@@ -49,19 +49,25 @@ class PosePath:
             raise PoseError(problem, "--path", f'write --path "{names};{names}"')
         points = np.asarray(corners, dtype=float)
         units = [component.unit for component in mechanism.pose]
-        moves = np.array([unit == units[0] for unit in units])
-        if not np.ptp(points[:, moves], axis=0).any():
-            moves = ~moves
-        steps = np.linalg.norm(np.diff(points[:, moves], axis=0), axis=1)
-        if not moves.any() or not steps.all():
+        moves_mask = np.array([unit == units[0] for unit in units])
+        if not np.ptp(points[:, moves_mask], axis=0).any():
+            moves_mask = ~moves_mask
+        steps = np.linalg.norm(np.diff(points[:, moves_mask], axis=0), axis=1)
+        if not moves_mask.any() or not steps.all():
             raise PoseError(
                 "two poses of the path that follow each other are equal", "--path", "leave one out"
             )
-        ends = np.concatenate([[0.0], np.cumsum(steps)])
-        at = np.unique(np.concatenate([np.linspace(0.0, ends[-1], COUNT), ends]))
-        at = at[np.concatenate([[True], np.diff(at) > 1e-9 * ends[-1]])]
-        table = np.stack([np.interp(at, ends, points[:, k]) for k in range(points.shape[1])], axis=1)
-        unit, factor = DISPLAY_UNITS.get(units[int(np.argmax(moves))], (units[int(np.argmax(moves))], 1.0))
-        labels = tuple(f"{factor * distance:.6g} {unit}" for distance in at)
+        corner_distances = np.concatenate([[0.0], np.cumsum(steps)])
+        distances = np.unique(
+            np.concatenate([np.linspace(0.0, corner_distances[-1], EVEN_POSE_COUNT), corner_distances])
+        )
+        distances = distances[np.concatenate([[True], np.diff(distances) > 1e-9 * corner_distances[-1]])]
+        table = np.stack(
+            [np.interp(distances, corner_distances, points[:, k]) for k in range(points.shape[1])], axis=1
+        )
+        unit, factor = DISPLAY_UNITS.get(
+            units[int(np.argmax(moves_mask))], (units[int(np.argmax(moves_mask))], 1.0)
+        )
+        labels = tuple(f"{factor * distance:.6g} {unit}" for distance in distances)
         components = tuple(component.name for component in mechanism.pose)
-        return cls(Poses(table, components, labels), factor * at, factor * ends, unit)
+        return cls(Poses(table, components, labels), factor * distances, factor * corner_distances, unit)

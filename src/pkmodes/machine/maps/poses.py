@@ -65,7 +65,7 @@ class PoseGrid:
 class Poses:
     """A list of poses.
 
-    - table: in SI units, (N, d)
+    - table: poses in SI units, (N, d)
     - names: components of a pose, length d
     - labels: one for each pose
     """

@@ -22,7 +22,7 @@ def quantiles(parts: Callable[[], Iterable[Array]], probabilities: Sequence[floa
     of the few bins in which the quantiles lie.
 
     - parts: called for each pass; returns the parts of a table, each (rows, columns), with NaN for missing values
-    - probabilities: from 0 to 1
+    - probabilities: probabilities from 0 to 1
 
     Returns (columns, shares); NaN for a column without values.
     """

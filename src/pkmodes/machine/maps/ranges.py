@@ -25,7 +25,7 @@ def parse_range(text: str, unit: str, where: str) -> Array:
 
     - text: ``start:stop:count`` with both ends included, or one value; bare numbers in SI units, or with units
     - unit: SI unit of the values
-    - where: for messages
+    - where: place of the text, for messages
 
     Returns (count,), in SI units, ascending.
     Raises PkmodesError if it is not a range, the ends coincide or are reversed, or the count is not a positive
@@ -89,7 +89,7 @@ def parse_grid(text: str, mechanism: Mechanism, where: str) -> dict[str, Array]:
     """Read a grid such as ``x=0.3:0.8:51,y=-0.1:0.1:41,z=-0.245``.
 
     - mechanism: defines the components of a pose and their units
-    - where: for messages
+    - where: place of the text, for messages
 
     Returns values of each component, in the order of the mechanism; a rotation of the platform may be left out.
     Raises PkmodesError if another component is missing, unknown or repeated, or a range is invalid.
@@ -118,7 +118,7 @@ def parse_settings(texts: tuple[str, ...], units: Mapping[str, str], where: str)
     """Read settings such as ``platform.mass=1:2:5`` or ``platform.mass=1 kg,1.5 kg``.
 
     - units: SI units of the values that can be changed, by path
-    - where: for messages
+    - where: place of the text, for messages
 
     Returns values by path, in the order given.
     Raises PkmodesError if a path is repeated, or values are invalid.  An unknown path is left to

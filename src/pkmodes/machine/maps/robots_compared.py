@@ -45,10 +45,10 @@ class FrequencyChanges:
 
     - poses: (N, d)
     - first_valid, second_valid: whether each robot can be evaluated, (N,)
-    - frequencies: of the first robot, (N, m) [Hz]; NaN where it cannot be evaluated
+    - frequencies: frequencies of the first robot, (N, m) [Hz]; NaN where it cannot be evaluated
     - relative: frequency of the partner over that of the mode, minus 1, (N, m); NaN where there is no partner
     - partner: index among the vibration modes of the second robot, -1 for none, (N, m)
-    - mac: of the two shapes, by the mass matrix of the first robot at the coordinates that both have, (N, m); NaN
+    - mac: MAC of the two shapes, by the mass matrix of the first robot at the coordinates that both have, (N, m); NaN
       without a partner
     - second_modes: the number m'
     """
@@ -255,7 +255,7 @@ def _drives_of_both(first: Robot, second: Robot, drives: str | None) -> str:
 
 def mode_changes(changes: FrequencyChanges) -> tuple[ModeChange, ...]:
     """Return the distribution of each mode's difference over the poses."""
-    modes, both = [], changes.counts.both
+    modes, shared_pose_count = [], changes.counts.both
     for mode in range(changes.modes):
         paired = np.isfinite(changes.relative[:, mode])
         if not paired.any():
@@ -272,7 +272,7 @@ def mode_changes(changes: FrequencyChanges) -> tuple[ModeChange, ...]:
                 float(low),
                 float(high),
                 dominant + 1,
-                float(1.0 - (partner == dominant).sum() / both),
+                float(1.0 - (partner == dominant).sum() / shared_pose_count),
                 float(np.median(changes.mac[paired, mode])),
             )
         )
@@ -289,21 +289,21 @@ def _compare_at(first: Model, second: Model, poses: Array, drives: str) -> tuple
     f, g = (modes.frequencies[:, modes.rigid_modes :] for modes in (first_modes, second_modes))
     relative, mac = np.full(f.shape, np.nan), np.full(f.shape, np.nan)
     partner = np.full(f.shape, -1, dtype=np.intp)
-    both = np.flatnonzero(valid[0] & valid[1])
-    if len(both):
+    shared_indices = np.flatnonzero(valid[0] & valid[1])
+    if len(shared_indices):
         common = [name for name in first_modes.coordinates if name in second_modes.coordinates]
         phi, psi = (
-            modes.shapes[both][:, modes.rigid_modes :][
+            modes.shapes[shared_indices][:, modes.rigid_modes :][
                 ..., [modes.coordinates.index(name) for name in common]
             ]
             for modes in (first_modes, second_modes)
         )
         common_indices = [first.coordinates.index(name) for name in common]
-        mass = first.matrices(poses[both], "nan")[0][:, common_indices][:, :, common_indices]
+        mass = first.matrices(poses[shared_indices], "nan")[0][:, common_indices][:, :, common_indices]
         norm = np.sqrt(((phi @ mass) * phi).sum(axis=-1, keepdims=True))
         phi = phi / np.where(norm > 0.0, norm, 1.0)  # a part of a shape is not mass-normalised
         mac_tables = mass_weighted_mac(phi @ mass @ np.swapaxes(psi, 1, 2), psi, mass)
-        for row, mac_table in zip(both, mac_tables, strict=True):
+        for row, mac_table in zip(shared_indices, mac_tables, strict=True):
             # One to one, with the largest sum of MAC.
             modes, partners = np.arange(len(mac_table)), mac_table.argmax(axis=1)
             if len(np.unique(partners)) < len(partners):

@@ -24,7 +24,7 @@ TASKS_PER_THREAD = 2
 #: Timeout for the scheduler and for a worker [s].
 TIMEOUT = 10
 #: Protocols for which a client needs certificates.
-ENCRYPTED = ("tls://", "wss://")
+ENCRYPTED_PROTOCOLS = ("tls://", "wss://")
 #: Only the type is checked; whether it is an address shows when a client connects.
 ADDRESS = Constraint("the address of a scheduler", lambda value: isinstance(value, str))
 
@@ -45,7 +45,7 @@ def run_tasks(
     - tasks: each with its number
     - put: stores the fields of a task, given its number; several threads may call it
     - finish: takes the number of a task that is stored; called in this thread
-    - threads: on this machine, without a scheduler
+    - threads: number of threads on this machine, without a scheduler
     - scheduler: address of a Dask scheduler, such as ``"tcp://127.0.0.1:8786"``
 
     Raises PkmodesError if the scheduler cannot be reached, or has no workers that can evaluate; or the error of a
@@ -120,7 +120,7 @@ def connect(scheduler: str) -> Iterator[Any]:
 
     remedy = "start one with: dask scheduler, and give its address, such as tcp://127.0.0.1:8786"
     check_argument(scheduler, ADDRESS, "scheduler", remedy)
-    if scheduler.startswith(ENCRYPTED):
+    if scheduler.startswith(ENCRYPTED_PROTOCOLS):
         _check_certificates(scheduler)
     try:
         client = distributed.Client(scheduler, timeout=TIMEOUT, set_as_default=False)

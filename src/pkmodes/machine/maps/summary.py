@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from pkmodes.core.base.drives import Drives
 from pkmodes.core.support.documents import Document
 from pkmodes.machine.maps.left_out import (
-    MEDIAN_VARIABLES,
+    MEDIAN_CONDITION,
+    MEDIAN_FREQUENCY,
     loaded_parts,
     representative_mask,
     singularity_ratio,
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
 #: Quantiles over the poses that characterise the frequency of a mode: at the edge of a workspace a spring may become
 #: so short that the extremes are not representative.
 QUANTILES = {"quantile_2_hz": 0.02, "median_hz": 0.5, "quantile_98_hz": 0.98}
-#: Fewest poses of which 2 % are at least one.
+#: Minimum number of poses of which 2 % are at least one.
 MIN_POSES_FOR_2_PERCENT = 50
 
 
@@ -105,7 +106,7 @@ class MapSummary(Document, frozen=True):
     unstable: Annotated[
         LeftOutDocument,
         Meta(
-            description="Poses at which an eigenvalue is negative: the machine moves away instead of vibrating."
+            description="Poses at which an eigenvalue is negative: the machine diverges instead of vibrating."
         ),
     ]
     reasons: Annotated[dict[str, int], Meta(description="How many could not, by the code of the reason.")]
@@ -132,7 +133,7 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> MapSummary:
     valid_count = near_singular_count = unstable_count = representative_count = 0
     dataset = with_medians(dataset)
     for origin, part in loaded_parts(
-        dataset[["frequency", "condition", "valid", "reason", *MEDIAN_VARIABLES]], leading
+        dataset[["frequency", "condition", "valid", "reason", MEDIAN_FREQUENCY, MEDIAN_CONDITION]], leading
     ):
         valid_count += int(part["valid"].values.sum())
         reasons.update(part["reason"].values[~part["valid"].values].tolist())
@@ -155,7 +156,9 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> MapSummary:
             highest[i] = _update_extreme(highest[i], representative_frequency[..., i], origin, highest=True)
 
     def representative_frequencies() -> Iterator[NDArray[Any]]:
-        for _, part in loaded_parts(dataset[["frequency", "condition", *MEDIAN_VARIABLES]], leading):
+        for _, part in loaded_parts(
+            dataset[["frequency", "condition", MEDIAN_FREQUENCY, MEDIAN_CONDITION]], leading
+        ):
             frequency = part["frequency"].where(representative_mask(part)).transpose(*leading, "mode").values
             yield frequency.reshape(-1, frequency.shape[-1])
 
@@ -214,7 +217,7 @@ def _update_extreme(extreme: Any, values: NDArray[Any], origin: list[int], *, hi
     """Return an extreme value so far and its index, or those of a part of the map if they are more extreme.
 
     - extreme: value and index, None if there is none so far
-    - values: of the part; NaN where there is none
+    - values: values of the part; NaN where there is none
     - origin: index of the first value of the part
     """
     if np.isnan(values).all():

@@ -78,12 +78,12 @@ def track(
 ) -> Tracked:
     """Track modes by shape.
 
-    - arrays: of a map, ``shape`` with the same number of modes everywhere, mass-normalised, and ``code``, each
+    - arrays: arrays of a map, ``shape`` with the same number of modes everywhere, mass-normalised, and ``code``, each
       (rows, ...)
-    - shape: of the map; rows are in C order
+    - shape: shape of the map; rows are in C order
     - linked: for each axis, whether consecutive rows are neighbours; otherwise all rows along it are neighbours of
       the first
-    - masses: from rows, their mass matrices, (N, n, n)
+    - masses: function from rows to their mass matrices, (N, n, n)
 
     Modes are numbered by rank at the valid pose nearest to the middle of each connected part of the map; shapes keep
     their sign from there.
@@ -118,7 +118,7 @@ def _compare_neighbours(shapes: Array, first: Index, second: Index, masses: Mass
 
     - shapes: mass-normalised, (rows, modes, coordinates)
     - first, second: rows, (steps,)
-    - masses: from rows, their mass matrices, (N, n, n)
+    - masses: function from rows to their mass matrices, (N, n, n)
     """
     count, modes = len(first), shapes.shape[1]
     steps = Steps(

@@ -55,7 +55,7 @@ def variants_of(robot: Robot, sweep: Mapping[str, Any] | None, samples: int | No
     - sweep: values of parameters in SI units, by path; every combination is evaluated
     - samples: robots whose values with a standard deviation are drawn from a normal distribution with their
       correlations; the draws do not depend on the swept values
-    - seed: of the generator
+    - seed: seed of the generator
 
     Raises PkmodesError if a path is unknown, values are invalid, or the robot declares no standard deviation to draw
     from.

@@ -64,17 +64,19 @@ def box_of(
     """
     rng = np.random.default_rng(SEED)
     fixed = fixed_components(model, pose) if fixed is None else fixed
-    reached = _draw_reachable(model, rng, fixed)
+    reachable_poses = _draw_reachable(model, rng, fixed)
     if pose is None:
-        pose = poses_on_lower_branch(model, _require_reachable(model, reached))[0]
+        pose = poses_on_lower_branch(model, _require_reachable(model, reachable_poses))[0]
     on_branch = branch_test(model, pose)
-    reached = np.vstack([pose, reached[on_branch(reached)]]) if len(reached) else pose[None]
-    low, high = reached.min(axis=0), reached.max(axis=0)
+    reachable_poses = (
+        np.vstack([pose, reachable_poses[on_branch(reachable_poses)]]) if len(reachable_poses) else pose[None]
+    )
+    low, high = reachable_poses.min(axis=0), reachable_poses.max(axis=0)
     for _ in range(MAX_ROUNDS):
         size = np.where(high > low, high - low, 1e-3)
-        drawn = rng.uniform(low - EXTENSION * size, high + EXTENSION * size, (DRAWS_PER_ROUND, len(low)))
-        drawn[:, list(fixed)] = list(fixed.values())
-        new_poses = drawn[on_branch(drawn)]
+        samples = rng.uniform(low - EXTENSION * size, high + EXTENSION * size, (DRAWS_PER_ROUND, len(low)))
+        samples[:, list(fixed)] = list(fixed.values())
+        new_poses = samples[on_branch(samples)]
         if not len(new_poses):
             break
         extended = np.minimum(low, new_poses.min(axis=0)), np.maximum(high, new_poses.max(axis=0))
@@ -99,7 +101,7 @@ def poses_on_lower_branch(model: Model, poses: Array) -> Array:
     Where the platform turns and its origin lies to one side of its joints, this branch is the one on that side; where
     the origin lies in their middle, legs that change their length carry the platform from below.
 
-    - poses: that can be evaluated, (N, d)
+    - poses: poses that can be evaluated, (N, d)
     """
     if not model.has_assemblies:
         return poses
@@ -114,10 +116,10 @@ def poses_on_lower_branch(model: Model, poses: Array) -> Array:
         height = Generated(mechanism.model, model.robot.parameters).gravity_potential(poses)
         if mechanism.rotations and mechanism.drives[0].unit == "N":
             height = -height
-    chosen: Array = poses[
+    lower_branch_poses: Array = poses[
         branches == min(np.unique(branches), key=lambda branch: float(height[branches == branch].mean()))
     ]
-    return chosen
+    return lower_branch_poses
 
 
 def _workspace_in_words(model: Model) -> str:
@@ -132,18 +134,18 @@ def _draw_reachable(model: Model, rng: np.random.Generator, fixed: Mapping[int, 
     """Draw poses with some components fixed, and return those that can be evaluated, (N, d)."""
     with np.errstate(all="ignore"):
         generated = Generated(model.mechanism.model, model.robot.parameters)
-        drawn = draw_poses(generated, model.mechanism, model.robot.parameters, rng, DRAWS_PER_ROUND)
-    drawn = drawn[np.isfinite(drawn).all(axis=-1)]
-    drawn[:, list(fixed)] = list(fixed.values())
-    return drawn[model.check(drawn).valid] if len(drawn) else drawn
+        samples = draw_poses(generated, model.mechanism, model.robot.parameters, rng, DRAWS_PER_ROUND)
+    samples = samples[np.isfinite(samples).all(axis=-1)]
+    samples[:, list(fixed)] = list(fixed.values())
+    return samples[model.check(samples).valid] if len(samples) else samples
 
 
-def _require_reachable(model: Model, reached: Array) -> Array:
+def _require_reachable(model: Model, reachable_poses: Array) -> Array:
     """Refuse a robot that reaches no pose."""
-    if not len(reached):
+    if not len(reachable_poses):
         problem = f"none of {DRAWS_PER_ROUND:,} poses drawn can be reached"
         raise PoseError(problem, model.robot.source, "check the robot file, or give a grid or poses")
-    return reached
+    return reachable_poses
 
 
 def usable_box(model: Model, pose: Array | None = None) -> tuple[Array, Array]:
@@ -159,17 +161,17 @@ def usable_box(model: Model, pose: Array | None = None) -> tuple[Array, Array]:
     if not model.robot.usable or not (pose is None or within_limits(pose[None])[0]):
         return box_of(model, pose)
     branch_pose = poses_on_lower_branch(model, usable_poses(model))[0] if pose is None else pose
-    low, high = _clipped(model, *box_of(model, branch_pose))
+    low, high = _clip_to_limits(model, *box_of(model, branch_pose))
     usable_on_branch, rng = usable_branch_test(model, branch_pose), np.random.default_rng(SEED)
     batches, count = [branch_pose[None]], 1
     for _ in range(MAX_ROUNDS):
-        drawn = rng.uniform(low, high, (DRAWS_PER_ROUND, len(low)))
-        batches.append(drawn[usable_on_branch(drawn)])
+        samples = rng.uniform(low, high, (DRAWS_PER_ROUND, len(low)))
+        batches.append(samples[usable_on_branch(samples)])
         count += len(batches[-1])
         if count >= ENOUGH_POSES:
             break
-    reached = np.vstack(batches)
-    ends, tolerance = (reached.min(axis=0), reached.max(axis=0)), SETTLED_CHANGE * (high - low)
+    usable_points = np.vstack(batches)
+    ends, tolerance = (usable_points.min(axis=0), usable_points.max(axis=0)), SETTLED_CHANGE * (high - low)
     # Random poses only come near an end of the box that can be reached: the end of the box itself is then returned.
     return np.where(ends[0] - low > tolerance, ends[0], low), np.where(
         high - ends[1] > tolerance, ends[1], high
@@ -179,13 +181,13 @@ def usable_box(model: Model, pose: Array | None = None) -> tuple[Array, Array]:
 def rotation_box(model: Model, pose: Array) -> tuple[Array, Array]:
     """Return the box around the rotations that a platform can have where it is, within the usable limits.
 
-    - pose: that can be evaluated, (d,)
+    - pose: pose that can be evaluated, (d,)
 
     Returns low and high, (d,): the other components are those of the pose.
     """
     rotations = fixed_components(model, pose)
     fixed = {i: float(value) for i, value in enumerate(pose) if i not in rotations}
-    return _clipped(model, *box_of(model, pose, fixed))
+    return _clip_to_limits(model, *box_of(model, pose, fixed))
 
 
 def usable_poses(model: Model) -> Array:
@@ -194,17 +196,17 @@ def usable_poses(model: Model) -> Array:
     Raises PoseError if none was found.
     """
     rng, within_limits = np.random.default_rng(SEED), limits_test(model)
-    reached = _require_reachable(model, _draw_reachable(model, rng, fixed_components(model)))
-    if within_limits(reached).any():
-        return reached[within_limits(reached)]
-    ends = reached.min(axis=0), reached.max(axis=0)
+    reachable_poses = _require_reachable(model, _draw_reachable(model, rng, fixed_components(model)))
+    if within_limits(reachable_poses).any():
+        return reachable_poses[within_limits(reachable_poses)]
+    ends = reachable_poses.min(axis=0), reachable_poses.max(axis=0)
     margin = EXTENSION * (ends[1] - ends[0])
-    low, high = _clipped(model, ends[0] - margin, ends[1] + margin)
+    low, high = _clip_to_limits(model, ends[0] - margin, ends[1] + margin)
     for _ in range(MAX_ROUNDS if (low <= high).all() else 0):
-        drawn = rng.uniform(low, high, (DRAWS_PER_ROUND, len(low)))
-        drawn = drawn[model.check(drawn).valid]
-        if (usable := within_limits(drawn)).any():
-            return drawn[usable]
+        samples = rng.uniform(low, high, (DRAWS_PER_ROUND, len(low)))
+        samples = samples[model.check(samples).valid]
+        if (usable := within_limits(samples)).any():
+            return samples[usable]
     limits = limits_in_words(model.mechanism, model.robot.usable)
     problem = f"no pose within the usable limits can be reached: {limits}"
     remedy = f"check the limits: the workspace lies within {_workspace_in_words(model)}"
@@ -224,7 +226,7 @@ def usable_branch_test(model: Model, pose: Array) -> PoseTest:
     return lambda points: on_branch(points) & within_limits(points)
 
 
-def _clipped(model: Model, low: Array, high: Array) -> tuple[Array, Array]:
+def _clip_to_limits(model: Model, low: Array, high: Array) -> tuple[Array, Array]:
     limits = bounding_box(model.mechanism, model.robot.usable)
     return np.maximum(low, limits[0]), np.minimum(high, limits[1])
 

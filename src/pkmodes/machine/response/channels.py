@@ -32,7 +32,7 @@ class Channels(AtPoses):
     poses : ndarray, shape (..., d)
     inputs, outputs : tuple of str
     units : tuple of tuple of str
-        Of each output (rows) per input (columns).
+        Units of each output (rows) per input (columns).
     quantity, drives : str
     robot : Robot
     """
@@ -54,19 +54,19 @@ class Channels(AtPoses):
             If it does not select one, or the pose could not be evaluated.
         """
         shape = self.poses.shape[:-1]
-        chosen = index if isinstance(index, tuple) else (index,)
+        indices = index if isinstance(index, tuple) else (index,)
         try:
-            where: tuple[int, ...] = tuple(operator.index(i) for i in chosen)
-            pose = self.poses[where] if len(where) == len(shape) else None
+            pose_index: tuple[int, ...] = tuple(operator.index(i) for i in indices)
+            pose = self.poses[pose_index] if len(pose_index) == len(shape) else None
         except (TypeError, IndexError):
             pose = None
         if pose is None:
             problem = f"expected the index of one of the poses, an array of shape {shape}, found {index!r}"
             raise PkmodesError(problem, "index", "give one integer for each axis of the poses")
-        if not self.valid[where]:
-            problem = f"the pose {where} could not be evaluated: {self.reason[where]}"
+        if not self.valid[pose_index]:
+            problem = f"the pose {pose_index} could not be evaluated: {self.reason[pose_index]}"
             raise PkmodesError(problem, "index", "choose another pose")
-        return where
+        return pose_index
 
 
 def control_library() -> Any:
@@ -100,8 +100,8 @@ class ResponseRequest:
         """
         checked_drives(drives)
         check_argument(quantity, one_of(QUANTITIES), "quantity", 'for example: "acceleration"')
-        into, out = inputs_of(model, inputs, drives), outputs_of(model, outputs)
-        return cls(model, into, out, quantity, drives)
+        input_ports, output_ports = inputs_of(model, inputs, drives), outputs_of(model, outputs)
+        return cls(model, input_ports, output_ports, quantity, drives)
 
     def fields(self, checked: CheckedPoses) -> dict[str, Any]:
         """Return the fields of `Channels` at poses."""

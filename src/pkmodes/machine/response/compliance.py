@@ -25,7 +25,7 @@ def compliance(model: Model, poses: ArrayLike, on_error: OnError = "raise") -> A
     model : Model
         The evaluator of the robot.
     poses : array_like, shape (d,) or (..., d)
-        In SI units.
+        Poses in SI units.
     on_error : {"raise", "nan"}
         As for `modes`.
 
@@ -42,18 +42,18 @@ def compliance(model: Model, poses: ArrayLike, on_error: OnError = "raise") -> A
     >>> (1e6 * model.compliance([0.6, 0.0, -0.245])).diagonal().round(2)  # um/N
     array([2.98, 6.24, 3.51])
     """
-    held = model.solved(HELD)
-    if held.rigid_modes:
+    held_system = model.solved(HELD)
+    if rigid_modes := held_system.rigid_modes:
         raise PkmodesError(
-            f"with motors held the machine still has {held.rigid_modes} rigid modes: a force moves it without end",
+            f"with motors held the machine still has {rigid_modes} rigid modes: a force moves it without end",
             model.robot.source,
             "check the drives of the mechanism",
         )
 
     def at_points(points: Array) -> Array:
-        at = RobotAtPoses(held, points, model.robot.source, {})
-        with_fields(model.solver(AUTO, HELD).inner, at, "stiffness_matrix", "platform_motion")
-        return statics.compliance(at["stiffness_matrix"], at["platform_motion"])
+        robot_at_poses = RobotAtPoses(held_system, points, model.robot.source, {})
+        with_fields(model.solver(AUTO, HELD).inner, robot_at_poses, "stiffness_matrix", "platform_motion")
+        return statics.compliance(robot_at_poses["stiffness_matrix"], robot_at_poses["platform_motion"])
 
     (values,) = model.evaluated(at_points, model.checked(poses, on_error))
     return np.asarray(values)

@@ -17,7 +17,7 @@ from pkmodes.machine.response.measured import MeasuredResponse
 
 Array = NDArray[Any]
 #: A response below this fraction of the largest one of the same unit is rounding.
-NOTHING = 1e-10
+SILENT_SHARE = 1e-10
 
 
 class MeasuredCurves(NamedTuple):
@@ -35,14 +35,14 @@ class MeasuredCurves(NamedTuple):
 class DrawnChannels:
     """Responses at a pose by channel, ``OUTPUT/INPUT``.
 
-    - frequencies: of the model, (F,) [Hz]
+    - frequencies: frequencies of the model, (F,) [Hz]
     - model: in the order in which they are drawn, each (F,)
-    - units: of the magnitudes
+    - units: units of the magnitudes
     - measured: the measured responses
     - silent: channels without a response, which are left out
     - prescribed: channels from a prescribed motion to itself, which are left out
     - text: what is drawn: quantity, robot, pose, and what the motors do
-    - before: of another robot, such as the one before a correction, by channel, each (F,)
+    - before: responses of another robot, such as the one before a correction, by channel, each (F,)
     - notes: what was assumed of the measured responses
     """
 
@@ -66,23 +66,23 @@ class DrawnChannels:
     ) -> DrawnChannels:
         """Choose the channels of a response.
 
-        - before: of another robot: the same channels at the same poses and frequencies
+        - before: responses of another robot: the same channels at the same poses and frequencies
 
         Raises PkmodesError if the index selects no pose, no measured channel is one of the response, or the table
         states that it is of something else.
         """
-        where = response.one(index)
-        values = response.values[where]
-        model, units, first = {}, {}, {}
+        pose_index = response.one(index)
+        values = response.values[pose_index]
+        model, units, before_responses = {}, {}, {}
         for o, output in enumerate(response.outputs):
-            for i, into in enumerate(response.inputs):
-                name = f"{output}/{into}"
+            for i, input_name in enumerate(response.inputs):
+                name = f"{output}/{input_name}"
                 model[name], units[name] = values[:, o, i], response.units[o][i]
                 if before is not None:
-                    first[name] = before.values[where][:, o, i]
+                    before_responses[name] = before.values[pose_index][:, o, i]
         if measured is not None:
-            stated = {"quantity": response.quantity, "drives": response.drives}
-            measured.check(stated | {f"unit {name}": unit for name, unit in units.items()})
+            expected = {"quantity": response.quantity, "drives": response.drives}
+            measured.check(expected | {f"unit {name}": unit for name, unit in units.items()})
         curves = (
             None if measured is None else MeasuredCurves(measured.frequencies, measured.among(list(model)))
         )
@@ -101,12 +101,12 @@ class DrawnChannels:
             model = {name: values for name, values in model.items() if name not in silent}
         else:
             silent = []
-        at = format_pose(response.robot.mechanism, response.poses[where], "g")
-        also = "" if curves is None else ", with measured responses"
-        also += "" if before is None else f", before: {before.robot.name}"
+        pose_text = format_pose(response.robot.mechanism, response.poses[pose_index], "g")
+        additions = "" if curves is None else ", with measured responses"
+        additions += "" if before is None else f", before: {before.robot.name}"
         quantity = response.quantity.capitalize()
-        doing = motors_in_words(response.robot, response.drives)
-        text = f"{quantity} of {response.robot.name} at {at}, {doing}{also}."
+        motor_state = motors_in_words(response.robot, response.drives)
+        text = f"{quantity} of {response.robot.name} at {pose_text}, {motor_state}{additions}."
         if silent:
             text += f" No response in {', '.join(silent)}."
         return cls(
@@ -117,7 +117,7 @@ class DrawnChannels:
             tuple(silent),
             tuple(prescribed),
             text,
-            first or None,
+            before_responses or None,
             () if measured is None else measured.notes,
         )
 
@@ -126,12 +126,14 @@ def without_response(model: Mapping[str, NDArray[Any]], units: Mapping[str, str]
     """Return the channels that show only rounding, compared with the others of the same unit.
 
     - model: responses by channel, each (F,)
-    - units: of the channels
+    - units: units of the channels
     """
     largest: dict[str, float] = {}
     for name, values in model.items():
         largest[units[name]] = max(largest.get(units[name], 0.0), float(np.abs(values).max()))
-    return [name for name, values in model.items() if np.abs(values).max() <= NOTHING * largest[units[name]]]
+    return [
+        name for name, values in model.items() if np.abs(values).max() <= SILENT_SHARE * largest[units[name]]
+    ]
 
 
 def most_responsive(model: Mapping[str, NDArray[Any]], units: Mapping[str, str]) -> str:

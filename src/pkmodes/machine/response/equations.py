@@ -28,17 +28,17 @@ from pkmodes.machine.response.linearised import LinearisedRobot
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 #: Off-diagonal entries below this fraction of the geometric mean of their diagonal entries couple nothing.
-COUPLED = 1e-13
+COUPLING_TOLERANCE = 1e-13
 #: Largest condition number of the matrix of the poles' vectors.
-INDEPENDENT = 1e4
+MAX_VECTOR_CONDITION = 1e4
 #: A mode follows statically if omega^2 is below this fraction of its eigenvalue, and damping is a small correction,
-STATIC = 1e-14
+STATIC_INERTIA_SHARE = 1e-14
 #: below this fraction of the elastic force.
-NEARLY_STATIC = 1e-8
+STATIC_DAMPING_SHARE = 1e-8
 #: Ratio of the fastest to the slowest mode from which the responses are refined.
-WIDE = 500.0
-#: Steps of iterative refinement.
-REFINED = 1
+MIN_REFINED_RATIO = 500.0
+#: Number of steps of iterative refinement.
+REFINEMENT_STEPS = 1
 
 
 @dataclass(frozen=True)
@@ -69,26 +69,28 @@ class EquationsOfMotion:
 
     def response(self, omega: Array) -> Complex:
         """Return the displacements of the outputs per unit of each input, (F, outputs, I)."""
-        r = self.massless
-        if (self.C[r] != 0.0).any():
+        massless = self.massless
+        if (self.C[massless] != 0.0).any():
             return self.by_frequency(omega)
         Z, shapes, motion, forces, direct = self._condensed()
-        D = shapes @ self.C[np.ix_(~r, ~r)] @ shapes.T + np.diag(self.rates)
-        moving = [(force != 0.0).any(axis=0) for force in forces]  # prescribed motions act at all three
-        b = np.hstack([shapes @ force[:, acting] for force, acting in zip(forces, moving, strict=True)])
-        summands = _receptance(Z, D, b, motion @ shapes.T, omega)
-        at_rest = direct + self.prescribed
-        if moving[0].all() and not (moving[1].any() or moving[2].any()):
-            if at_rest.any():
-                summands += at_rest
-            return summands
+        D = shapes @ self.C[np.ix_(~massless, ~massless)] @ shapes.T + np.diag(self.rates)
+        input_masks = [(force != 0.0).any(axis=0) for force in forces]  # prescribed motions act at all three
+        b = np.hstack(
+            [shapes @ force[:, input_mask] for force, input_mask in zip(forces, input_masks, strict=True)]
+        )
+        receptances = _receptance(Z, D, b, motion @ shapes.T, omega)
+        feedthrough = direct + self.prescribed
+        if input_masks[0].all() and not (input_masks[1].any() or input_masks[2].any()):
+            if feedthrough.any():
+                receptances += feedthrough
+            return receptances
         H = np.empty((len(omega), *direct.shape), dtype=complex)
-        H[...] = at_rest
+        H[...] = feedthrough
         powers: tuple[Any, ...] = (1.0, 1j * omega[:, None], -(omega[:, None] ** 2))
         column = 0
-        for power, acting in zip(powers, moving, strict=True):
-            for i in np.flatnonzero(acting):
-                H[:, :, i] += power * summands[:, :, column]
+        for power, input_mask in zip(powers, input_masks, strict=True):
+            for i in np.flatnonzero(input_mask):
+                H[:, :, i] += power * receptances[:, :, column]
                 column += 1
         return H
 
@@ -104,29 +106,38 @@ class EquationsOfMotion:
 
         Real where nothing has a loss factor.
         """
-        r, q = self.massless, ~self.massless
+        massless, inertial = self.massless, ~self.massless
         lossless = not self.K.imag.any()
         K: Any = self.K.real if lossless else self.K
-        motion: Any = self.motion[:, q]
-        forces: list[Any] = [force[q] for force in self.forces]
+        motion: Any = self.motion[:, inertial]
+        forces: list[Any] = [force[inertial] for force in self.forces]
         direct: Any = np.zeros((len(self.motion), self.forces[0].shape[1]))
-        change: Any = None if lossless else 1j * K.imag[np.ix_(q, q)]
-        if r.any():
-            follow = -np.linalg.solve(K[np.ix_(r, r)], np.hstack([K[np.ix_(r, q)], -self.forces[0][r]]))
-            by_coordinates, by_forces = np.split(follow, [int(q.sum())], axis=1)
+        change: Any = None if lossless else 1j * K.imag[np.ix_(inertial, inertial)]
+        if massless.any():
+            static_response = -np.linalg.solve(
+                K[np.ix_(massless, massless)],
+                np.hstack([K[np.ix_(massless, inertial)], -self.forces[0][massless]]),
+            )
+            by_coordinates, by_forces = np.split(static_response, [int(inertial.sum())], axis=1)
             if not lossless:
-                static = -np.linalg.solve(K.real[np.ix_(r, r)], K.real[np.ix_(r, q)])
-                change = change + K[np.ix_(q, r)] @ by_coordinates - K.real[np.ix_(q, r)] @ static
-            motion = motion + self.motion[:, r] @ by_coordinates
-            forces[0] = forces[0] - K[np.ix_(q, r)] @ by_forces
-            direct = direct + self.motion[:, r] @ by_forces
-        shapes = self.shapes[:, q]
+                static = -np.linalg.solve(
+                    K.real[np.ix_(massless, massless)], K.real[np.ix_(massless, inertial)]
+                )
+                change = (
+                    change
+                    + K[np.ix_(inertial, massless)] @ by_coordinates
+                    - K.real[np.ix_(inertial, massless)] @ static
+                )
+            motion = motion + self.motion[:, massless] @ by_coordinates
+            forces[0] = forces[0] - K[np.ix_(inertial, massless)] @ by_forces
+            direct = direct + self.motion[:, massless] @ by_forces
+        shapes = self.shapes[:, inertial]
         Z = np.diag(self.eigenvalues)
         return Z if lossless else Z + shapes @ change @ shapes.T, shapes, motion, forces, direct
 
 
 def equations(
-    at: LinearisedRobot, pose: int, inputs: Array, motors: Array, outputs: Array
+    robot: LinearisedRobot, pose: int, inputs: Array, motors: Array, outputs: Array
 ) -> EquationsOfMotion:
     """Return the equations at one pose.
 
@@ -134,10 +145,12 @@ def equations(
     - motors: prescribed motor angles per unit of each input, (drives, I)
     - outputs: what each output shows of the n coordinates, (outputs, n)
     """
-    T, shapes = at.kept, at.own_shapes[pose]
-    M, K, C, loss = (matrix.solved[pose] for matrix in (*at.matrices, *at.dissipation))
-    M_u, K_u, C_u, loss_u = (matrix.prescribed[pose] @ motors for matrix in (*at.matrices, *at.dissipation))
-    rates = at.rates[pose]
+    T, shapes = robot.kept, robot.own_shapes[pose]
+    M, K, C, loss = (matrix.solved[pose] for matrix in (*robot.matrices, *robot.dissipation))
+    M_u, K_u, C_u, loss_u = (
+        matrix.prescribed[pose] @ motors for matrix in (*robot.matrices, *robot.dissipation)
+    )
+    rates = robot.rates[pose]
     momenta = (M @ shapes.T) * rates
     return EquationsOfMotion(
         M=M,
@@ -150,11 +163,11 @@ def equations(
             -M_u.astype(complex),
         ),
         motion=outputs @ T,
-        prescribed=outputs @ at.prescribed @ motors,
+        prescribed=outputs @ robot.prescribed @ motors,
         shapes=shapes,
-        eigenvalues=at.eigenvalues[pose],
+        eigenvalues=robot.eigenvalues[pose],
         rates=rates,
-        massless=at.massless,
+        massless=robot.massless,
     )
 
 
@@ -168,35 +181,35 @@ def _receptance(Z: Complex, D: Array, b: Complex, l: Complex, omega: Array) -> C
     """
     coupled = (_coupling(Z) | _coupling(D)).any(axis=1)
     if not coupled.any():
-        return _of_uncoupled(np.diagonal(Z), np.diagonal(D), b, l, omega)
-    H = _of_coupled(
+        return _uncoupled_receptance(np.diagonal(Z), np.diagonal(D), b, l, omega)
+    H = _coupled_receptance(
         Z[np.ix_(coupled, coupled)], D[np.ix_(coupled, coupled)], b[coupled], l[:, coupled], omega
     )
     if not coupled.all():
         z, d = np.diagonal(Z)[~coupled], np.diagonal(D)[~coupled]
-        H += _of_uncoupled(z, d, b[~coupled], l[:, ~coupled], omega)
+        H += _uncoupled_receptance(z, d, b[~coupled], l[:, ~coupled], omega)
     return H
 
 
 def _coupling(matrix: NDArray[np.generic]) -> NDArray[np.bool_]:
-    size = np.abs(matrix)
-    root = np.sqrt(np.diagonal(size))
-    off = size > COUPLED * root[:, None] * root
-    np.fill_diagonal(off, False)
-    return np.asarray(off | off.T)
+    magnitudes = np.abs(matrix)
+    root = np.sqrt(np.diagonal(magnitudes))
+    coupled_mask = magnitudes > COUPLING_TOLERANCE * root[:, None] * root
+    np.fill_diagonal(coupled_mask, False)
+    return np.asarray(coupled_mask | coupled_mask.T)
 
 
-def _of_uncoupled(z: Any, d: Array, b: Any, l: Any, omega: Array) -> Complex:  # noqa: E741
+def _uncoupled_receptance(z: Any, d: Array, b: Any, l: Any, omega: Array) -> Complex:  # noqa: E741
     """Return sum_k l_k b_k / (z_k + i omega d_k - omega^2), infinite or NaN at a resonance without damping."""
     dynamic = np.empty((len(z), 2, len(omega)))
     np.subtract(z.real[:, None], omega**2, out=dynamic[:, 0])
     np.multiply(d[:, None], omega, out=dynamic[:, 1])
     if z.imag.any():
         dynamic[:, 1] += z.imag[:, None]
-    return _summed(dynamic, l, b)
+    return _sum_residues(dynamic, l, b)
 
 
-def _summed(denominators: Array, l: Any, b: Any) -> Complex:  # noqa: E741
+def _sum_residues(denominators: Array, l: Any, b: Any) -> Complex:  # noqa: E741
     """Return sum_k l_k b_k / denominator_k, (F, outputs, inputs).
 
     - denominators: real and imaginary parts, (m, 2, F); replaced by those of the reciprocals
@@ -220,52 +233,62 @@ def _summed(denominators: Array, l: Any, b: Any) -> Complex:  # noqa: E741
     return H.reshape(count, outputs, inputs)
 
 
-def _of_coupled(Z: Complex, D: Any, b: Complex, l: Complex, omega: Array) -> Complex:  # noqa: E741
-    size, highest = np.abs(np.diagonal(Z)), omega.max(initial=0.0)
-    fast = (highest**2 <= STATIC * size) & (highest * np.diagonal(D) <= NEARLY_STATIC * size)
-    if not fast.any() or fast.all():
-        return _of_poles(Z, D, b, l, omega)
-    f, s = ~fast, fast
-    root = np.sqrt(size[s])  # their sizes differ widely: each has its own scale
-    scaled = Z[np.ix_(s, s)] / root[:, None] / root
-    by_slow, by_forces = (
-        np.linalg.solve(scaled, part / root[:, None]) / root[:, None] for part in (Z[np.ix_(s, f)], b[s])
+def _coupled_receptance(Z: Complex, D: Any, b: Complex, l: Complex, omega: Array) -> Complex:  # noqa: E741
+    stiffness, max_omega = np.abs(np.diagonal(Z)), omega.max(initial=0.0)
+    static_mask = (max_omega**2 <= STATIC_INERTIA_SHARE * stiffness) & (
+        max_omega * np.diagonal(D) <= STATIC_DAMPING_SHARE * stiffness
     )
-    damping = D[np.ix_(f, s)] @ by_slow
-    H = _of_poles(
-        Z[np.ix_(f, f)] - Z[np.ix_(f, s)] @ by_slow,
-        D[np.ix_(f, f)] - damping - damping.T + by_slow.T @ D[np.ix_(s, s)] @ by_slow,
-        b[f] - by_slow.T @ b[s],
-        l[:, f] - l[:, s] @ by_slow,
+    if not static_mask.any() or static_mask.all():
+        return _receptance_by_poles(Z, D, b, l, omega)
+    dynamic, static = ~static_mask, static_mask
+    root = np.sqrt(stiffness[static])  # their sizes differ widely: each has its own scale
+    scaled = Z[np.ix_(static, static)] / root[:, None] / root
+    by_dynamic, by_forces = (
+        np.linalg.solve(scaled, right_side / root[:, None]) / root[:, None]
+        for right_side in (Z[np.ix_(static, dynamic)], b[static])
+    )
+    damping = D[np.ix_(dynamic, static)] @ by_dynamic
+    H = _receptance_by_poles(
+        Z[np.ix_(dynamic, dynamic)] - Z[np.ix_(dynamic, static)] @ by_dynamic,
+        D[np.ix_(dynamic, dynamic)]
+        - damping
+        - damping.T
+        + by_dynamic.T @ D[np.ix_(static, static)] @ by_dynamic,
+        b[dynamic] - by_dynamic.T @ b[static],
+        l[:, dynamic] - l[:, static] @ by_dynamic,
         omega,
     )
-    late = np.linalg.solve(scaled, (D[np.ix_(s, s)] @ by_forces) / root[:, None]) / root[:, None]
-    return np.asarray(H + l[:, s] @ by_forces - 1j * omega[:, None, None] * (l[:, s] @ late))
+    damping_correction = (
+        np.linalg.solve(scaled, (D[np.ix_(static, static)] @ by_forces) / root[:, None]) / root[:, None]
+    )
+    return np.asarray(
+        H + l[:, static] @ by_forces - 1j * omega[:, None, None] * (l[:, static] @ damping_correction)
+    )
 
 
-def _of_poles(Z: Complex, D: Any, b: Complex, l: Complex, omega: Array) -> Complex:  # noqa: E741
+def _receptance_by_poles(Z: Complex, D: Any, b: Complex, l: Complex, omega: Array) -> Complex:  # noqa: E741
     m = len(D)
-    slowest = omega[omega > 0.0].min(initial=np.inf)
-    size = np.sqrt(np.abs(np.diagonal(Z)))
-    size = np.maximum(size, np.where(np.isfinite(slowest), slowest, size.max()))
+    min_omega = omega[omega > 0.0].min(initial=np.inf)
+    scales = np.sqrt(np.abs(np.diagonal(Z)))
+    scales = np.maximum(scales, np.where(np.isfinite(min_omega), min_omega, scales.max()))
     A = np.zeros((2 * m, 2 * m), dtype=complex)
-    A[:m, m:] = np.diag(size)  # the states are size * eta and eta_dot
-    A[m:, :m] = -Z / size
+    A[:m, m:] = np.diag(scales)  # the states are scales * eta and eta_dot
+    A[m:, :m] = -Z / scales
     A[m:, m:] = -D
     poles, V = _eig(A)
-    if np.linalg.cond(V) > INDEPENDENT:
-        dynamic = Z + 1j * omega[:, None, None] * D - omega[:, None, None] ** 2 * np.eye(m)
-        return np.asarray(l @ np.linalg.solve(dynamic, np.broadcast_to(b, (len(omega), *b.shape))))
-    begin = np.linalg.inv(V)[:, m:]
-    shapes = V[:m] / size[:, None]
-    if size.max() <= WIDE * size.min():
+    if np.linalg.cond(V) > MAX_VECTOR_CONDITION:
+        dynamic_stiffness = Z + 1j * omega[:, None, None] * D - omega[:, None, None] ** 2 * np.eye(m)
+        return np.asarray(l @ np.linalg.solve(dynamic_stiffness, np.broadcast_to(b, (len(omega), *b.shape))))
+    inverse_vectors = np.linalg.inv(V)[:, m:]
+    shapes = V[:m] / scales[:, None]
+    if scales.max() <= MIN_REFINED_RATIO * scales.min():
         denominators = np.empty((2 * m, 2, len(omega)))
         denominators[:, 0] = -poles.real[:, None]
         np.subtract(omega, poles.imag[:, None], out=denominators[:, 1])
-        return _summed(denominators, l @ shapes, begin @ b)
+        return _sum_residues(denominators, l @ shapes, inverse_vectors @ b)
     gain = (1.0 / (1j * omega - poles[:, None]))[:, None, :]  # 2m, 1, F
-    X = _through(shapes, gain, (begin @ b)[:, :, None])  # m, inputs, F
-    for _ in range(REFINED):
+    X = _modal_response(shapes, gain, (inverse_vectors @ b)[:, :, None])  # m, inputs, F
+    for _ in range(REFINEMENT_STEPS):
         flat = X.reshape(m, -1)
         residual = (
             b[:, :, None]
@@ -273,15 +296,19 @@ def _of_poles(Z: Complex, D: Any, b: Complex, l: Complex, omega: Array) -> Compl
             - 1j * omega * (D @ flat).reshape(X.shape)
             + omega**2 * X
         )
-        X = X + _through(shapes, gain, (begin @ residual.reshape(m, -1)).reshape(2 * m, *X.shape[1:]))
+        X = X + _modal_response(
+            shapes, gain, (inverse_vectors @ residual.reshape(m, -1)).reshape(2 * m, *X.shape[1:])
+        )
     H = (l @ X.reshape(m, -1)).reshape(len(l), *X.shape[1:])
     return np.ascontiguousarray(np.moveaxis(H, -1, 0))
 
 
-def _through(shapes: Complex, gain: Complex, driven: Complex) -> Complex:
+def _modal_response(shapes: Complex, gain: Complex, pole_forces: Complex) -> Complex:
     """Return the response of the modes to forces on the poles, (m, inputs, F)."""
-    answers = gain * driven
-    response: Complex = (shapes @ answers.reshape(len(answers), -1)).reshape(len(shapes), *answers.shape[1:])
+    pole_responses = gain * pole_forces
+    response: Complex = (shapes @ pole_responses.reshape(len(pole_responses), -1)).reshape(
+        len(shapes), *pole_responses.shape[1:]
+    )
     return response
 
 

@@ -42,7 +42,7 @@ class FrequencyResponse(Channels):
     values : ndarray of complex128, shape (..., F, outputs, inputs)
         NaN where a pose could not be evaluated.
     frequencies : ndarray, shape (F,)
-        [Hz].
+        Frequencies [Hz].
     request : ResponseRequest
         The robot and the ports that were requested.
     """
@@ -99,7 +99,7 @@ class FrequencyResponse(Channels):
         Parameters
         ----------
         index : int or tuple of int
-            Of the pose; not needed for a single one.
+            Index of the pose; not needed for a single one.
 
         Returns
         -------
@@ -127,7 +127,7 @@ class FrequencyResponse(Channels):
         path : str or path
             CSV file; an existing one is replaced.
         index : int or tuple of int
-            Of the pose; not needed for a single one.
+            Index of the pose; not needed for a single one.
 
         Raises
         ------
@@ -142,7 +142,7 @@ class FrequencyResponse(Channels):
         Parameters
         ----------
         index : int or tuple of int
-            Of the pose; not needed for a single one.
+            Index of the pose; not needed for a single one.
 
         Returns
         -------
@@ -152,18 +152,18 @@ class FrequencyResponse(Channels):
         Raises
         ------
         PkmodesError
-            If the pose is not one of several.
+            If `index` does not select one pose.
         """
-        where = self.one(index)
+        pose_index = self.one(index)
         text = io.StringIO()
         text.write(f"# robot: {self.robot.name}\n")
-        text.write(f"# pose: {format_pose(self.robot.mechanism, self.poses[where], 'g')}\n")
+        text.write(f"# pose: {format_pose(self.robot.mechanism, self.poses[pose_index], 'g')}\n")
         text.write(f"# drives: {self.drives}\n")
         text.write(f"# quantity: {self.quantity}\n")
         channels = [
-            (o, i, f"{out}/{into}")
-            for o, out in enumerate(self.outputs)
-            for i, into in enumerate(self.inputs)
+            (o, i, f"{output}/{input_name}")
+            for o, output in enumerate(self.outputs)
+            for i, input_name in enumerate(self.inputs)
         ]
         for o, i, name in channels:
             text.write(f"# unit: {name} = {self.units[o][i]}\n")
@@ -171,7 +171,7 @@ class FrequencyResponse(Channels):
         writer.writerow(
             ["frequency", *(f"{part}:{name}" for _, _, name in channels for part in ("re", "im"))]
         )
-        for f, row in zip(self.frequencies, self.values[where], strict=True):
+        for f, row in zip(self.frequencies, self.values[pose_index], strict=True):
             cells = [number for o, i, _ in channels for number in (row[o, i].real, row[o, i].imag)]
             writer.writerow([repr(float(f)), *(repr(float(cell)) for cell in cells)])
         return text.getvalue()
@@ -196,9 +196,9 @@ def frequency_response(
     model : Model
         The evaluator of the robot.
     poses : array_like, shape (d,) or (..., d)
-        In SI units.
+        Poses in SI units.
     frequencies : array_like, shape (F,)
-        In Hz; 0 only where no rigid mode exists.
+        Frequencies in Hz; 0 only where no rigid mode exists.
     inputs : sequence of str
         ``torque_j`` of a free motor [N m], the prescribed angle ``motor_j`` of a held one [rad],
         ``force_<direction>`` on the platform [N], and ``moment_<axis>`` on one that turns [N m].  Of a motor that
@@ -209,7 +209,7 @@ def frequency_response(
     drives : {"free", "held"}, optional
         As for `modes`.
     quantity : {"displacement", "velocity", "acceleration"}
-        Of every output.
+        Quantity of every output.
     on_error : {"raise", "nan"}
         As for `modes`.
     backend : {"auto", "numpy", "compiled"}
@@ -223,8 +223,8 @@ def frequency_response(
     Raises
     ------
     PkmodesError
-        If a port is unknown (the message suggests the nearest) or is not one with these drives, or a frequency is
-        invalid.
+        If a port is unknown (the message suggests the nearest) or is no input or output with these drives, or a
+        frequency is invalid.
 
     Examples
     --------
@@ -240,11 +240,11 @@ def frequency_response(
     omega = 2.0 * np.pi * hertz
     checked = model.checked(poses, on_error)
 
-    def at(points: Array) -> Complex:
+    def evaluate(points: Array) -> Complex:
         linearised = LinearisedRobot(model, points, drives, backend)
         return responses(linearised, request.inputs, request.outputs, omega, quantity)
 
-    (values,) = model.evaluated(at, checked)
+    (values,) = model.evaluated(evaluate, checked)
     return FrequencyResponse(
         **request.fields(checked),
         values=nan_in_both_parts(np.asarray(values, dtype=complex)),
@@ -254,14 +254,14 @@ def frequency_response(
 
 
 def responses(
-    at: LinearisedRobot, inputs: Sequence[Port], outputs: Sequence[Port], omega: Array, quantity: str
+    robot: LinearisedRobot, inputs: Sequence[Port], outputs: Sequence[Port], omega: Array, quantity: str
 ) -> Complex:
     """Return responses at N poses, (N, F, outputs, inputs), at angular frequencies [rad/s]."""
-    B, L = input_vectors(at, inputs), output_vectors(at, outputs)
-    motors = prescribed(inputs, at.prescribed.shape[1])
-    values = np.empty((len(at.points), len(omega), len(outputs), len(inputs)), dtype=complex)
-    for pose in range(len(at.points)):
-        values[pose] = equations(at, pose, B[pose], motors, L[pose]).response(omega)
+    B, L = input_vectors(robot, inputs), output_vectors(robot, outputs)
+    motors = prescribed(inputs, robot.prescribed.shape[1])
+    values = np.empty((len(robot.points), len(omega), len(outputs), len(inputs)), dtype=complex)
+    for pose in range(len(robot.points)):
+        values[pose] = equations(robot, pose, B[pose], motors, L[pose]).response(omega)
     if QUANTITIES[quantity]:
         values *= (1j * omega[:, None, None]) ** QUANTITIES[quantity]
     return values
@@ -277,9 +277,9 @@ def checked_frequencies(frequencies: ArrayLike, rigid: int, drives: str) -> Arra
     if hertz.ndim != 1 or not hertz.size:
         problem = f"expected a list of frequencies in Hz, found an array of shape {hertz.shape}"
         raise PkmodesError(problem, "frequencies", example)
-    bad = ~(np.isfinite(hertz) & (hertz >= 0.0))
-    if bad.any():
-        problem = f"expected frequencies of at least 0 Hz, found {hertz[int(np.argmax(bad))]:g}"
+    is_invalid = ~(np.isfinite(hertz) & (hertz >= 0.0))
+    if is_invalid.any():
+        problem = f"expected frequencies of at least 0 Hz, found {hertz[int(np.argmax(is_invalid))]:g}"
         raise PkmodesError(problem, "frequencies", "give finite numbers in Hz")
     if rigid and (hertz == 0.0).any():
         problem = (

@@ -28,7 +28,7 @@ class MeasuredResponse:
     frequencies : ndarray, shape (F,)
         Ascending [Hz].
     channels : dict of str to ndarray, complex128, shape (F,)
-        By ``OUTPUT/INPUT``, in the units of the model's response.
+        Responses by ``OUTPUT/INPUT``, in the units of the model's response.
     stated : mapping of str to str
         What the table's comments say of it: ``quantity``, ``drives``, and ``unit OUTPUT/INPUT``.
     notes : tuple of str

@@ -1,4 +1,4 @@
-"""A move of a robot whose motors are told a command: how far the platform is from where it should be."""
+"""A move of a robot whose motors follow a command: how far the platform is from where it should be."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from pkmodes.machine.shaping.shapers import Shaper
 Array = NDArray[np.float64]
 #: Longest step between two poses whose matrices are evaluated [m], rotations times the characteristic length: errors
 #: below 0.1 % of the vibration.
-STEP = 3e-3
+MAX_STEP = 3e-3
 RATIO = Constraint(
     "a damping ratio of at least 0 and below 1", lambda value: is_number(value) and 0.0 <= value < 1.0
 )
@@ -36,12 +36,12 @@ class Move:
     Attributes
     ----------
     time : ndarray, shape (T,)
-        In s.
+        Times [s].
     poses : ndarray, shape (T, d)
         What the motors are told: the command, after the shaper.  The platform is at ``poses + deviation``.
     deviation : ndarray, shape (T, d)
-        Of the platform from `poses` [m]; where it turns, by small rotations about base axes [rad].  Static sag under
-        gravity is not part of it.
+        Deviation of the platform from `poses` [m]; where it turns, by small rotations about base axes [rad].  Static
+        sag under gravity is not part of it.
     robot : Robot
         The robot that moves.
     drives : {"free", "held"}
@@ -88,8 +88,8 @@ def simulate(
     poses : array_like, shape (T, d)
         The command, in SI units.
     shaper : Shaper, optional
-        With which the command is convolved: one, amplitudes and delays (n,), or one for each time, (T, n), which
-        splits what the command moves up to this time: `shaper` designs them for the commanded poses.
+        Shaper with which the command is convolved: one, amplitudes and delays (n,), or one for each time, (T, n),
+        which splits what the command moves up to this time: `shaper` designs them for the commanded poses.
     damping : float, optional
         Damping ratio of every mode, instead of that of the robot file.
     drives : {"free", "held"}, optional
@@ -120,19 +120,21 @@ def simulate(
     >>> bool(move.largest(after=0.05) > 1e-4)
     True
     """
-    does = drives_in_use(model.robot, drives)
+    drives_used = drives_in_use(model.robot, drives)
     t = _times(time)
     command = _command(model, poses, t)
     shaped = command if shaper is None else shaped_command(t, command, shaper)
-    fine, path, indices = _refined(t, shaped, model)
-    _check_path(model, fine, path)
+    fine_time, path, indices = _refined(t, shaped, model)
+    _check_path(model, fine_time, path)
     if damping is not None:
         check_argument(damping, RATIO, "damping", "give the ratio of every mode, such as 0.01")
         model = model.with_values({"damping.ratio": float(damping)})
     if rigid := model.solved(HELD).rigid_modes:
         problem = f"with motors held the machine still has {rigid} rigid modes: they would drift away"
         raise PkmodesError(problem, model.robot.source, "check the drives of the mechanism")
-    return Move(t, shaped, deviation_along(model, fine, path, does)[indices], model.robot, does)
+    return Move(
+        t, shaped, deviation_along(model, fine_time, path, drives_used)[indices], model.robot, drives_used
+    )
 
 
 def shaped_command(time: Array, command: Array, shaper: Shaper) -> Array:
@@ -175,9 +177,9 @@ def _times(time: ArrayLike) -> Array:
     if not np.isfinite(t).all():
         k = int(np.argmin(np.isfinite(t)))
         raise PkmodesError(f"expected finite times in s, found {t[k]} at index {k}", "time", remedy)
-    late = np.flatnonzero(np.diff(t) <= 0.0)
-    if len(late):
-        k = int(late[0])
+    not_ascending = np.flatnonzero(np.diff(t) <= 0.0)
+    if len(not_ascending):
+        k = int(not_ascending[0])
         problem = f"expected ascending times, found {t[k + 1]:.9g} s after {t[k]:.9g} s, at index {k + 1}"
         raise PkmodesError(problem, "time", "sort the samples, and give each time once")
     return t
@@ -193,9 +195,11 @@ def _command(model: Model, poses: ArrayLike, time: Array) -> Array:
     if p.shape != (len(time), len(names)):
         problem = f"expected poses of shape ({len(time)}, {len(names)}), one for each time, found {p.shape}"
         raise PkmodesError(problem, "poses", remedy)
-    still = [i for i, name in enumerate(names) if name not in mechanism.components]
-    if still and np.ptp(p[:, still], axis=0).any():
-        problem = f"{names[still[0]]} changes along the move; only {', '.join(mechanism.components)} may"
+    fixed_components = [i for i, name in enumerate(names) if name not in mechanism.components]
+    if fixed_components and np.ptp(p[:, fixed_components], axis=0).any():
+        problem = (
+            f"{names[fixed_components[0]]} changes along the move; only {', '.join(mechanism.components)} may"
+        )
         raise PkmodesError(problem, "poses", "keep the other components constant")
     return p
 
@@ -205,14 +209,14 @@ def _refined(time: Array, poses: Array, model: Model) -> tuple[Array, Array, NDA
     length = model.characteristic_length
     lengths = [length if component.unit == "rad" else 1.0 for component in model.mechanism.pose]
     distance = np.linalg.norm(np.diff(poses * lengths, axis=0), axis=1)
-    pieces = np.maximum(1, np.ceil(distance / STEP)).astype(np.intp)
+    pieces = np.maximum(1, np.ceil(distance / MAX_STEP)).astype(np.intp)
     indices = np.concatenate([[0], np.cumsum(pieces)])
-    at = np.arange(indices[-1] + 1)
-    if len(at) == len(time):
+    fine_indices = np.arange(indices[-1] + 1)
+    if len(fine_indices) == len(time):
         return time, poses, indices
-    fine = np.interp(at, indices, time)
-    path = np.stack([np.interp(at, indices, component) for component in poses.T], axis=-1)
-    return fine, path, indices
+    fine_time = np.interp(fine_indices, indices, time)
+    path = np.stack([np.interp(fine_indices, indices, component) for component in poses.T], axis=-1)
+    return fine_time, path, indices
 
 
 def _check_path(model: Model, time: Array, poses: Array) -> None:
@@ -228,6 +232,6 @@ def _check_path(model: Model, time: Array, poses: Array) -> None:
     try:
         model.checked(poses[k], "raise")
     except PoseError as error:
-        at = format_pose(model.robot.mechanism, poses[k], ".6g")
-        problem = f"the path leaves the workspace at {time[k]:.6g} s, {at}: {error.what}"
+        pose_text = format_pose(model.robot.mechanism, poses[k], ".6g")
+        problem = f"the path leaves the workspace at {time[k]:.6g} s, {pose_text}: {error.what}"
         raise PoseError(problem, "poses", error.remedy) from None

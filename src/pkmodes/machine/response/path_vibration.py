@@ -48,20 +48,20 @@ STEP_TOLERANCE = 1e-9
 def deviation_along(model: Model, time: Array, poses: Array, drives: str) -> Array:
     """Return the deviation of the platform from its commanded pose, (T, d); the machine starts at rest.
 
-    - model: of a robot without rigid modes
+    - model: model of a robot without rigid modes
     - time: ascending, (T,) [s]
     - poses: the command, in the workspace, (T, d); only components of the platform's motion change
     - drives: what the motors do, "free" or "held"; free ones hang on springs
     """
     mechanism = model.robot.mechanism
     names = [component.name for component in mechanism.pose]
-    moving = [names.index(name) for name in mechanism.components]
+    platform_indices = [names.index(name) for name in mechanism.components]
     durations = np.diff(time)
     if np.ptp(durations) <= STEP_TOLERANCE * durations.max():
         # Remove rounding, so that equal steps are computed once.
         durations = np.full_like(durations, durations.mean())
-    at_rest = np.zeros((1, len(moving)))
-    velocities = _displacements(poses[:, moving], mechanism) / durations[:, None]
+    at_rest = np.zeros((1, len(platform_indices)))
+    velocities = _displacements(poses[:, platform_indices], mechanism) / durations[:, None]
     velocity = np.vstack([at_rest, velocities])  # before each sample
     jumps = np.diff(velocity, axis=0, append=velocity[-1:])
     deviation, state = np.zeros_like(poses), None
@@ -77,7 +77,7 @@ def deviation_along(model: Model, time: Array, poses: Array, drives: str) -> Arr
             state = transition @ state + drag
             displacements[i] = state[: vibration.modes]
             state[vibration.modes :] += kicks[i]
-        deviation[first_sample + 1 : stop, moving] = np.einsum(
+        deviation[first_sample + 1 : stop, platform_indices] = np.einsum(
             "sdm,sm->sd", vibration.platform[1:], displacements[1:]
         )
     return deviation
@@ -102,7 +102,7 @@ def _displacements(path: Array, mechanism: Mechanism) -> Array:
 class _Steps(NamedTuple):
     """State transitions from just after each sample to just before the next one.
 
-    - transition: of the displacements and velocities of the modes, (S - 1, 2 m, 2 m)
+    - transition: transition matrices of the displacements and velocities of the modes, (S - 1, 2 m, 2 m)
     - drag: what friction adds that resists the move, (S - 1, 2 m)
     """
 
@@ -154,8 +154,8 @@ class _Vibration:
     def steps(self, duration: Array, velocity: Array) -> _Steps:
         """Return the steps between samples.
 
-        - duration: in s, (S - 1,)
-        - velocity: of the command, (S - 1, j)
+        - duration: duration of each step [s], (S - 1,)
+        - velocity: velocity of the command, (S - 1, j)
         """
         n = 2 * self.modes
         # Each sample ends one interval and begins the next: equal halves are computed once.

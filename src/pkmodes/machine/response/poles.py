@@ -22,11 +22,11 @@ from pkmodes.machine.response.linearised import LinearisedRobot, nan_in_both_par
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 #: Modes whose eigenvalues exceed those of all lower ones by this factor may be solved for separately from these,
-FAR = 1e6
+MIN_SEPARATION_RATIO = 1e6
 #: if what damping couples of them, D_ij^2 / lambda_j, is below this.
-UNCOUPLED = 1e-12
+MAX_COUPLING = 1e-12
 #: A note names ratios that differ from that of their pole by more than this fraction.
-DIFFERENT = 0.1
+MAX_RATIO_DIFFERENCE = 0.1
 
 
 def poles_at(
@@ -44,7 +44,7 @@ def poles_at(
     model : Model
         The evaluator of the robot.
     poses : array_like, shape (d,) or (..., d)
-        In SI units.
+        Poses in SI units.
     on_error : {"raise", "nan"}
         As for `modes`.
     drives : {"free", "held"}, optional
@@ -68,17 +68,17 @@ def poles_at(
     """
     motors = model.robot.resolve_drives(drives)
 
-    def at(points: Array) -> Complex:
+    def evaluate(points: Array) -> Complex:
         return poles(LinearisedRobot(model, points, motors, backend).damping)
 
-    (values,) = model.evaluated(at, model.checked(poses, on_error))
+    (values,) = model.evaluated(evaluate, model.checked(poses, on_error))
     return nan_in_both_parts(np.asarray(values, dtype=complex))
 
 
 def notes_on_damping(linearised: LinearisedRobot, ratios: Array) -> list[str]:
     """Return sentences on the modes at a pose whose ratio of light damping is not that of their pole.
 
-    - linearised: at the one pose
+    - linearised: robot at one pose
     - ratios: of `pkmodes.Modes.damping_ratios`, (m,)
     """
     if not np.nan_to_num(ratios).any():
@@ -86,7 +86,7 @@ def notes_on_damping(linearised: LinearisedRobot, ratios: Array) -> list[str]:
     exact = ratios_of_poles(linearised.damping)[0]
     notes = []
     for i in range(linearised.rigid, len(ratios)):
-        if abs(ratios[i] - exact[i]) > DIFFERENT * exact[i]:
+        if abs(ratios[i] - exact[i]) > MAX_RATIO_DIFFERENCE * exact[i]:
             notes.append(
                 f"mode {i + 1 - linearised.rigid}: the damping ratio {plain(ratios[i], 3)} is that of light damping, "
                 f"but that of the pole is {plain(exact[i], 3)}: use the poles"
@@ -107,7 +107,7 @@ def poles(damping: ModalDamping) -> Complex:
             of_real = np.where(first == 0.0, 0.0, damping.eigenvalues / first)
         return _sorted(np.concatenate([first, np.where(square >= 0.0, of_real, root - half)], axis=1))
     values = np.linalg.eigvals(_first_order(damping)).astype(complex)
-    for pose, parts in _apart(damping):
+    for pose, parts in _separable_parts(damping):
         values[pose] = np.concatenate([np.linalg.eigvals(_first_order(part))[0] for part in parts])
     return _sorted(values)
 
@@ -115,26 +115,29 @@ def poles(damping: ModalDamping) -> Complex:
 def ratios_of_poles(damping: ModalDamping) -> Array:
     """Return the damping ratios -Re(s)/|s| of the poles in which each mode takes part most, (N, m)."""
     ratios = _ratios_of_poles(damping)
-    for pose, parts in _apart(damping):
+    for pose, parts in _separable_parts(damping):
         ratios[pose] = np.concatenate([_ratios_of_poles(part)[0] for part in parts])
     return ratios
 
 
-def _apart(damping: ModalDamping) -> Iterator[tuple[int, list[ModalDamping]]]:
+def _separable_parts(damping: ModalDamping) -> Iterator[tuple[int, list[ModalDamping]]]:
     """Yield the poses with modes far above the others, with the modes in separate parts.
 
     Rounding of the fastest modes would take digits from the slow ones.  What damping couples between them changes
     their poles by a fraction D_ij^2 / lambda_j.
     """
     eigenvalues, D, rigid = damping
-    size = np.abs(eigenvalues)
-    m = size.shape[1]
-    for pose in np.flatnonzero((size[:, -1] > FAR * size[:, rigid : rigid + 1].max(axis=1)) & (m > rigid)):
+    magnitudes = np.abs(eigenvalues)
+    m = magnitudes.shape[1]
+    for pose in np.flatnonzero(
+        (magnitudes[:, -1] > MIN_SEPARATION_RATIO * magnitudes[:, rigid : rigid + 1].max(axis=1))
+        & (m > rigid)
+    ):
         cuts = [
             i
             for i in range(rigid + 1, m)
-            if size[pose, i] > FAR * size[pose, i - 1]
-            and (D[pose, :i, i:] ** 2 <= UNCOUPLED * size[pose, i:]).all()
+            if magnitudes[pose, i] > MIN_SEPARATION_RATIO * magnitudes[pose, i - 1]
+            and (D[pose, :i, i:] ** 2 <= MAX_COUPLING * magnitudes[pose, i:]).all()
         ]
         if cuts:
             ends = [0, *cuts, m]
@@ -150,10 +153,10 @@ def _apart(damping: ModalDamping) -> Iterator[tuple[int, list[ModalDamping]]]:
 def _ratios_of_poles(damping: ModalDamping) -> Array:
     values, vectors = np.linalg.eig(_first_order(damping))
     m = damping.eigenvalues.shape[1]
-    part = np.abs(vectors[:, :m]) ** 2 + np.abs(vectors[:, m:]) ** 2
-    ahead = (values.imag >= 0.0)[:, None]
-    best = np.where(ahead, part, -1.0).argmax(axis=2)
-    pole = np.take_along_axis(values, best, axis=1)
+    participation = np.abs(vectors[:, :m]) ** 2 + np.abs(vectors[:, m:]) ** 2
+    is_upper_half = (values.imag >= 0.0)[:, None]
+    strongest = np.where(is_upper_half, participation, -1.0).argmax(axis=2)
+    pole = np.take_along_axis(values, strongest, axis=1)
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.asarray(-pole.real / np.abs(pole))
 
@@ -162,20 +165,20 @@ def _first_order(damping: ModalDamping) -> Array:
     """Return the matrix of the rates of (omega eta, eta_dot), whose entries are all in 1/s."""
     eigenvalues, D, _ = damping
     count, m = eigenvalues.shape
-    omega, place = np.sqrt(np.abs(eigenvalues)), np.arange(m)
+    omega, mode_indices = np.sqrt(np.abs(eigenvalues)), np.arange(m)
     A = np.zeros((count, 2 * m, 2 * m))
-    A[:, place, m + place] = omega
-    A[:, m + place, place] = -np.sign(eigenvalues) * omega
+    A[:, mode_indices, m + mode_indices] = omega
+    A[:, m + mode_indices, mode_indices] = -np.sign(eigenvalues) * omega
     A[:, m:, m:] = -D
     return A
 
 
 def _sorted(values: Complex) -> Complex:
     """Sort poles by magnitude; conjugates, which differ by rounding at most, by descending imaginary part."""
-    size = np.abs(values)
-    order = np.argsort(size, axis=1, kind="stable")
-    values, size = np.take_along_axis(values, order, 1), np.take_along_axis(size, order, 1)
-    same = np.diff(size, axis=1) <= 1e-12 * size[:, 1:]
-    group = np.concatenate([np.zeros((len(values), 1), int), np.cumsum(~same, axis=1)], axis=1)
-    order = np.lexsort((-values.imag, group), axis=-1)
+    magnitudes = np.abs(values)
+    order = np.argsort(magnitudes, axis=1, kind="stable")
+    values, magnitudes = np.take_along_axis(values, order, 1), np.take_along_axis(magnitudes, order, 1)
+    is_equal = np.diff(magnitudes, axis=1) <= 1e-12 * magnitudes[:, 1:]
+    groups = np.concatenate([np.zeros((len(values), 1), int), np.cumsum(~is_equal, axis=1)], axis=1)
+    order = np.lexsort((-values.imag, groups), axis=-1)
     return np.take_along_axis(values, order, 1)

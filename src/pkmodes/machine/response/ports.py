@@ -34,8 +34,8 @@ class Port:
 
     - kind: ``torque``, ``motor``, ``force``, ``platform`` or ``coordinate``.  A ``torque`` is the force of a drive
       that moves a length; a ``force`` on the platform is a moment for one of its rotations.
-    - index: of the drive, the component of the platform's motion or the coordinate
-    - direction: for an output of kind ``platform``: unit vector along the components of the platform's motion
+    - index: index of the drive, the component of the platform's motion or the coordinate
+    - direction: unit vector, for an output of kind ``platform``, along the components of the platform's motion
     """
 
     name: str
@@ -55,13 +55,13 @@ def inputs_of(model: Model, names: Sequence[str], drives: str) -> tuple[Port, ..
     ports: dict[str, Port] = {}
     for j, drive in enumerate(mechanism.drives):
         ports[f"{TORQUE}{drive.name}"] = Port(f"{TORQUE}{drive.name}", drive.unit, "torque", j)
-        ports[f"{MOTOR}{drive.name}"] = Port(f"{MOTOR}{drive.name}", _driven(drive), "motor", j)
+        ports[f"{MOTOR}{drive.name}"] = Port(f"{MOTOR}{drive.name}", _displacement_unit(drive), "motor", j)
     for k, axis in enumerate((*mechanism.directions, *mechanism.rotations)):
-        turns = k >= len(mechanism.directions)
-        name = f"{MOMENT if turns else FORCE}{axis}"
-        ports[name] = Port(name, "N m" if turns else "N", "force", k)
-    chosen = _chosen("inputs", names, ports)
-    for port in chosen:
+        is_rotation = k >= len(mechanism.directions)
+        name = f"{MOMENT if is_rotation else FORCE}{axis}"
+        ports[name] = Port(name, "N m" if is_rotation else "N", "force", k)
+    selected_ports = _select_ports("inputs", names, ports)
+    for port in selected_ports:
         if port.kind == "torque" and drives == HELD:
             problem = f"{port.name} is the torque of a motor, but the motors are held"
             raise PkmodesError(
@@ -72,7 +72,7 @@ def inputs_of(model: Model, names: Sequence[str], drives: str) -> tuple[Port, ..
             raise PkmodesError(
                 problem, "inputs", f'use torque_{port.name.removeprefix(MOTOR)}, or drives="held"'
             )
-    return chosen
+    return selected_ports
 
 
 def outputs_of(model: Model, names: Sequence[str | Mapping[str, Any]]) -> tuple[Port, ...]:
@@ -87,13 +87,13 @@ def outputs_of(model: Model, names: Sequence[str | Mapping[str, Any]]) -> tuple[
             component.name, component.unit, "platform", direction=tuple(axis.tolist())
         )
     for j, drive in enumerate(mechanism.drives):
-        ports[f"{MOTOR}{drive.name}"] = Port(f"{MOTOR}{drive.name}", _driven(drive), "motor", j)
+        ports[f"{MOTOR}{drive.name}"] = Port(f"{MOTOR}{drive.name}", _displacement_unit(drive), "motor", j)
     extended = mechanism.extended
     units = dict(zip(extended.COORDINATES, extended.COORDINATE_UNITS, strict=True))
     for i, name in enumerate(system.coordinates):
         ports.setdefault(name, Port(name, units[name], "coordinate", i))
     selection: list[Any] = []
-    for output in _several("outputs", names):
+    for output in _as_list("outputs", names):
         if isinstance(output, Mapping):
             for name, direction in output.items():
                 _check_name(name, ports)
@@ -103,7 +103,7 @@ def outputs_of(model: Model, names: Sequence[str | Mapping[str, Any]]) -> tuple[
                 selection.append(name)
         else:
             selection.append(output)
-    return _chosen("outputs", selection, ports)
+    return _select_ports("outputs", selection, ports)
 
 
 def _check_name(name: Any, ports: Mapping[str, Port]) -> None:
@@ -116,13 +116,13 @@ def _check_name(name: Any, ports: Mapping[str, Port]) -> None:
         raise PkmodesError(problem, "outputs", "use letters, digits, and any of _ . + -")
 
 
-def _driven(drive: Named) -> str:
-    """Return the unit of what a drive moves."""
+def _displacement_unit(drive: Named) -> str:
+    """Return the unit of the displacement of a drive."""
     return "m" if drive.unit == "N" else "rad"
 
 
-def _several(where: str, names: Any) -> list[Any]:
-    """Return one name, or several, as a list."""
+def _as_list(where: str, names: Any) -> list[Any]:
+    """Return a list of one or several names."""
     if isinstance(names, str | Mapping):
         return [names]
     if not isinstance(names, Iterable):
@@ -130,41 +130,41 @@ def _several(where: str, names: Any) -> list[Any]:
     return list(names)
 
 
-def _chosen(where: str, names: Any, ports: Mapping[str, Port]) -> tuple[Port, ...]:
-    listed = _several(where, names)
-    if not listed:
+def _select_ports(where: str, names: Any, ports: Mapping[str, Port]) -> tuple[Port, ...]:
+    requested_names = _as_list(where, names)
+    if not requested_names:
         raise PkmodesError(
             f"expected at least one of the {where}, found none", where, f"known: {', '.join(ports)}"
         )
-    for i, name in enumerate(listed):
+    for i, name in enumerate(requested_names):
         if not isinstance(name, str) or name not in ports:
             raise PkmodesError(f"unknown name {shown(name)}", where, nearest_name(str(name), ports))
-        if name in listed[:i]:
+        if name in requested_names[:i]:
             raise PkmodesError(f"{shown(name)} is given twice", where, "give each name once")
-    return tuple(ports[name] for name in listed)
+    return tuple(ports[name] for name in requested_names)
 
 
-def input_vectors(at: LinearisedRobot, ports: Sequence[Port]) -> Array:
+def input_vectors(robot: LinearisedRobot, ports: Sequence[Port]) -> Array:
     """Return the generalised force of each input, (N, n, inputs); 0 for prescribed motor angles."""
-    N, _, n = at.platform.shape
+    N, _, n = robot.platform.shape
     B = np.zeros((N, n, len(ports)))
     for i, port in enumerate(ports):
         if port.kind == "force":
-            B[:, :, i] = at.platform[:, port.index]
+            B[:, :, i] = robot.platform[:, port.index]
         elif port.kind == "torque":
-            B[:, :, i] = at.motors[port.index]
+            B[:, :, i] = robot.motors[port.index]
     return B
 
 
-def output_vectors(at: LinearisedRobot, ports: Sequence[Port]) -> Array:
+def output_vectors(robot: LinearisedRobot, ports: Sequence[Port]) -> Array:
     """Return what each output shows of the coordinates, (N, outputs, n)."""
-    N, _, n = at.platform.shape
+    N, _, n = robot.platform.shape
     L = np.zeros((N, len(ports), n))
     for i, port in enumerate(ports):
         if port.kind == "platform":
-            L[:, i] = np.array(port.direction) @ at.platform
+            L[:, i] = np.array(port.direction) @ robot.platform
         elif port.kind == "motor":
-            L[:, i] = at.motors[port.index]
+            L[:, i] = robot.motors[port.index]
         else:
             L[:, i, port.index] = 1.0
     return L
@@ -182,10 +182,13 @@ def prescribed(ports: Sequence[Port], drives: int) -> Array:
 def units_of(inputs: Sequence[Port], outputs: Sequence[Port], quantity: str) -> tuple[tuple[str, ...], ...]:
     """Return the unit of a quantity of each output (rows) per input (columns)."""
     rate = ("", "/s", "/s^2")[QUANTITIES[quantity]]
-    return tuple(tuple(_ratio(port.unit + rate, into.unit) for into in inputs) for port in outputs)
+    return tuple(
+        tuple(_ratio(output_port.unit + rate, input_port.unit) for input_port in inputs)
+        for output_port in outputs
+    )
 
 
-def _ratio(output: str, into: str) -> str:
-    if output == into:
+def _ratio(output_unit: str, input_unit: str) -> str:
+    if output_unit == input_unit:
         return "1"
-    return f"{output}/{into}" if " " not in into else f"{output}/({into})"
+    return f"{output_unit}/{input_unit}" if " " not in input_unit else f"{output_unit}/({input_unit})"

@@ -15,11 +15,12 @@ from pkmodes.machine.response.frequency_response import FrequencyResponse, respo
 from pkmodes.machine.response.linearised import LinearisedRobot
 
 Array = NDArray[np.float64]
-#: Relative distance from the frequency of a mode at which its resonance is judged: without damping it has no height,
-#: and so near by, the responses of several modes compare as they would with equal small damping.
-BESIDE = 1e-4
-#: A mode shows where the response falls on both sides, at this distance in damping ratios, and at least this one.
-WIDTHS, LEAST_WIDTH = 2.0, 1e-3
+#: Relative offset from a mode's frequency at which its response is read if it is undamped (its peak is infinite).
+#: So close to the peak, modes compare as with equal small damping.
+UNDAMPED_OFFSET = 1e-4
+#: A mode shows if the response falls on both sides: PEAK_WIDTHS damping ratios away, but at least MIN_PEAK_WIDTH
+#: (relative).
+PEAK_WIDTHS, MIN_PEAK_WIDTH = 2.0, 1e-3
 
 
 @dataclass(frozen=True)
@@ -29,17 +30,17 @@ class Resonance:
     - channel: ``OUTPUT/INPUT``
     - mode: its number among the vibration modes, 1 for the lowest
     - frequency: undamped natural frequency [Hz]
-    - size: magnitude of the response there, or so near by that it compares with others if the mode is undamped
+    - magnitude: magnitude of the response at this frequency, or at `UNDAMPED_OFFSET` from it if the mode is undamped
     """
 
     channel: str
     mode: int
     frequency: float
-    size: float
+    magnitude: float
 
 
-def modes_within(response: FrequencyResponse, index: Index = ()) -> tuple[Array, Array, NDArray[np.intp]]:
-    """Return frequency [Hz], damping ratio and number of each vibration mode within the frequencies of a response."""
+def _modes_in_range(response: FrequencyResponse, index: Index = ()) -> tuple[Array, Array, NDArray[np.intp]]:
+    """Return frequency [Hz], damping ratio and number of each vibration mode in the frequency range of a response."""
     where = response.one(index)
     modes = response.request.model.modes(response.poses[where], drives=response.drives)
     f = modes.frequencies[modes.rigid_modes :]
@@ -55,39 +56,42 @@ def strongest_resonance(
 
     - response: from `pkmodes.Model.frf`
     - channels: ``OUTPUT/INPUT`` of the response
-    - index: of the pose
+    - index: index of the pose
     """
-    f, ratios, numbers = modes_within(response, index)
+    f, ratios, numbers = _modes_in_range(response, index)
     if not len(f):
         return None
     damped = ratios > 0.0
-    peaks = np.where(damped, f, f * (1.0 + BESIDE))
-    width = np.maximum(WIDTHS * ratios, LEAST_WIDTH)
+    peaks = np.where(damped, f, f * (1.0 + UNDAMPED_OFFSET))
+    width = np.maximum(PEAK_WIDTHS * ratios, MIN_PEAK_WIDTH)
     request, point = response.request, response.poses[response.one(index)]
     linearised = LinearisedRobot(request.model, point[None], response.drives, AUTO)
-    places = np.stack([peaks, f * (1.0 - width), f * (1.0 + width)])
-    sizes, below, above = (
+    frequencies = np.stack([peaks, f * (1.0 - width), f * (1.0 + width)])
+    magnitudes, below, above = (
         np.abs(responses(linearised, request.inputs, request.outputs, omega, response.quantity)[0])
-        for omega in 2.0 * np.pi * np.maximum(places, 0.0)
+        for omega in 2.0 * np.pi * np.maximum(frequencies, 0.0)
     )
     strongest: Resonance | None = None
     for o, output in enumerate(response.outputs):
-        for i, into in enumerate(response.inputs):
-            name = f"{output}/{into}"
+        for i, input_name in enumerate(response.inputs):
+            name = f"{output}/{input_name}"
             if name not in channels:
                 continue
-            size = sizes[:, o, i]
-            shows = (size > below[:, o, i]) & (size > above[:, o, i])
+            magnitude = magnitudes[:, o, i]
+            shows = (magnitude > below[:, o, i]) & (magnitude > above[:, o, i])
             if not shows.any():
                 continue
-            k = int(np.where(shows, size, -1.0).argmax())
-            if strongest is None or size[k] > strongest.size:
-                strongest = Resonance(name, int(numbers[k]), float(f[k]), float(size[k]))
+            k = int(np.where(shows, magnitude, -1.0).argmax())
+            if strongest is None or magnitude[k] > strongest.magnitude:
+                strongest = Resonance(name, int(numbers[k]), float(f[k]), float(magnitude[k]))
     return strongest
 
 
-def resonance_of(response: FrequencyResponse, drawn: DrawnChannels) -> Resonance | None:
-    """Return the strongest resonance of the measured channels, or of all, with the unit of the first of them."""
+def strongest_drawn_resonance(response: FrequencyResponse, drawn: DrawnChannels) -> Resonance | None:
+    """Return the strongest resonance among the measured channels that share the first one's unit.
+
+    It is that among all channels that share it if none is measured.
+    """
     measured = {} if drawn.measured is None else drawn.measured.responses
     names = [name for name in drawn.model if name in measured] or list(drawn.model)
     unit_of_first = drawn.units[names[0]]

@@ -2,13 +2,14 @@ r"""State space models of a robot at poses, in modal coordinates.
 
 With the modes :math:`y = \Phi \eta` of the coordinates that are solved for, and prescribed motor angles u,
 
-.. math:: \ddot\eta + D \dot\eta + \Lambda \eta = \Phi^T B f - (g \ddot u + c \dot u + k u) ,
+.. math:: \ddot\eta + D_m \dot\eta + \Lambda \eta = \Phi^T B_u f - (g \ddot u + c \dot u + k u) ,
 
-where g, c and k are inertia, damping and stiffness between the modes and the prescribed motions.  The states
-:math:`\xi = \eta + g u` and :math:`v = \dot\xi - h u`, with :math:`h = D g - c`, need no derivative of u:
+where D_m is modal damping, B_u maps forces to coordinates, and g, c and k are inertia, damping and stiffness
+between the modes and the prescribed motions.  The states
+:math:`\xi = \eta + g u` and :math:`v = \dot\xi - h u`, with :math:`h = D_m g - c`, need no derivative of u:
 
 .. math:: \dot\xi = v + h u , \qquad
-    \dot v = -\Lambda \xi - D v + \Phi^T B f + (\Lambda g - k - D h) u .
+    \dot v = -\Lambda \xi - D_m v + \Phi^T B_u f + (\Lambda g - k - D_m h) u .
 """
 
 from __future__ import annotations
@@ -36,12 +37,12 @@ from pkmodes.machine.response.linearised import LinearisedRobot
 from pkmodes.machine.response.ports import QUANTITIES, Output, Port, input_vectors, output_vectors, prescribed
 
 if TYPE_CHECKING:
-    from scipy.signal import StateSpace as OfScipy
+    from scipy.signal import StateSpace as ScipyStateSpace
 
 Array = NDArray[np.float64]
-#: A direct part below this fraction of what the states contribute statically is rounding.
-NOTHING = 1e-12
-#: The text with which a MATLAB file begins; that of SciPy has the date.
+#: Feedthrough below this fraction of |C| |B| / max |A|, a measure of what the states contribute, counts as rounding.
+FEEDTHROUGH_TOLERANCE = 1e-12
+#: Text with which a MATLAB file begins, in place of SciPy's, which contains the date.
 MAT_HEADER = b"MATLAB 5.0 MAT-file, written by pkmodes".ljust(116)
 
 
@@ -52,13 +53,13 @@ class StateSpace(Channels):
     Attributes
     ----------
     A : ndarray, shape (..., 2 k, 2 k)
-        The states are the coordinate and the rate of each of the k modes, ascending.  NaN, like the others, where a
-        pose could not be evaluated.
+        State matrix; the states are the coordinate and the rate of each of the k modes, in ascending order of
+        frequency.  NaN, as are the other arrays, where a pose could not be evaluated.
     B : ndarray, shape (..., 2 k, inputs)
     C : ndarray, shape (..., outputs, 2 k)
     D : ndarray, shape (..., outputs, inputs)
     frequencies : ndarray, shape (..., k)
-        Of these modes [Hz].
+        Natural frequencies of these modes [Hz].
     tick : float or None
         Period of a discrete model [s]; None for a continuous one.
     """
@@ -77,23 +78,25 @@ class StateSpace(Channels):
             f"motors {self.drives})"
         )
 
-    def at(self, index: Index = ()) -> OfScipy[Any, Any]:
+    def at(self, index: Index = ()) -> ScipyStateSpace[Any, Any]:
         """Return the model at one pose as a ``scipy.signal.StateSpace``.
 
         Parameters
         ----------
         index : int or tuple of int
-            Of the pose; not needed for a single one.
+            Index of the pose; not needed for a single one.
 
         Returns
         -------
         scipy.signal.StateSpace
-            With the period of a discrete model.
+            Its ``dt`` is the period of a discrete model.
         """
-        from scipy.signal import StateSpace as OfScipy
+        from scipy.signal import StateSpace as ScipyStateSpace
 
         matrices = self._matrices(index)
-        return OfScipy(*matrices) if self.tick is None else OfScipy(*matrices, dt=self.tick)
+        if self.tick is None:
+            return ScipyStateSpace(*matrices)
+        return ScipyStateSpace(*matrices, dt=self.tick)
 
     def to_control(self, index: Index = ()) -> Any:
         """Return the model at one pose as a ``control.StateSpace``, with the names of its inputs and outputs.
@@ -101,12 +104,12 @@ class StateSpace(Channels):
         Parameters
         ----------
         index : int or tuple of int
-            Of the pose; not needed for a single one.
+            Index of the pose; not needed for a single one.
 
         Returns
         -------
         control.StateSpace
-            With the period of a discrete model.
+            Its ``dt`` is the period of a discrete model.
 
         Raises
         ------
@@ -125,7 +128,7 @@ class StateSpace(Channels):
         path : str or path
             MATLAB file; an existing one is replaced.
         index : int or tuple of int
-            Of the pose; not needed for a single one.
+            Index of the pose; not needed for a single one.
 
         Raises
         ------
@@ -140,7 +143,7 @@ class StateSpace(Channels):
         Parameters
         ----------
         index : int or tuple of int
-            Of the pose; not needed for a single one.
+            Index of the pose; not needed for a single one.
 
         Returns
         -------
@@ -150,7 +153,7 @@ class StateSpace(Channels):
         Raises
         ------
         PkmodesError
-            If the pose is not one of several.
+            If `index` does not select one pose.
         """
         from scipy.io import savemat
 
@@ -179,7 +182,7 @@ class StateSpace(Channels):
         Parameters
         ----------
         tick : float
-            [s].
+            Period between samples [s].
 
         Returns
         -------
@@ -194,7 +197,7 @@ class StateSpace(Channels):
         """
         if self.tick is not None:
             problem = f"these models are discrete already, every {self.tick:g} s"
-            raise PkmodesError(problem, "tick", "discretise the continuous models")
+            raise PkmodesError(problem, "tick", "discretize the continuous models")
         if not isinstance(tick, int | float | np.number) or not np.isfinite(tick) or tick <= 0.0:
             raise PkmodesError(f"expected a period in s, found {shown(tick)}", "tick", "for example: 0.001")
         highest = float(np.nanmax(np.abs(self.frequencies), initial=0.0))
@@ -205,12 +208,12 @@ class StateSpace(Channels):
             )
             raise PkmodesError(problem, "tick", "keep fewer modes (modes=), or take a shorter period")
         states, inputs = self.B.shape[-2:]
-        both = np.zeros((*self.A.shape[:-2], states + inputs, states + inputs))
-        both[..., :states, :states], both[..., :states, states:] = self.A, self.B
-        there = np.isfinite(both).all(axis=(-1, -2))
-        stepped = np.full_like(both, np.nan)
-        stepped[there] = expm(both[there] * tick)
-        A, B = stepped[..., :states, :states], stepped[..., :states, states:]
+        augmented = np.zeros((*self.A.shape[:-2], states + inputs, states + inputs))
+        augmented[..., :states, :states], augmented[..., :states, states:] = self.A, self.B
+        finite = np.isfinite(augmented).all(axis=(-1, -2))
+        exponential = np.full_like(augmented, np.nan)
+        exponential[finite] = expm(augmented[finite] * tick)
+        A, B = exponential[..., :states, :states], exponential[..., :states, states:]
         return replace(self, A=A, B=B, tick=float(tick))
 
 
@@ -234,7 +237,7 @@ def state_space(
     model : Model
         The evaluator of the robot.
     poses : array_like, shape (d,) or (..., d)
-        In SI units.
+        Poses in SI units.
     inputs, outputs : sequence
         As for `frf`.
     drives : {"free", "held"}, optional
@@ -244,7 +247,7 @@ def state_space(
     residual : bool
         Whether the static contribution of omitted modes is kept, in D (of displacements only).
     quantity : {"displacement", "velocity", "acceleration"}
-        Of every output.
+        Quantity of every output.
     on_error : {"raise", "nan"}
         As for `modes`.
     backend : {"auto", "numpy", "compiled"}
@@ -260,8 +263,8 @@ def state_space(
     Raises
     ------
     PkmodesError
-        If a port is unknown or is not one with these drives, the number of modes is not possible, or a velocity
-        or an acceleration would contain a derivative of an input.
+        If a port is unknown or is no input or output with these drives, the number of modes is not possible, or a
+        velocity or an acceleration would contain a derivative of an input.
 
     Examples
     --------
@@ -275,22 +278,23 @@ def state_space(
     """
     drives = model.robot.resolve_drives(drives)
     request = ResponseRequest.of(model, inputs, outputs, quantity, drives)
-    into, out = request.inputs, request.outputs
+    input_ports, output_ports = request.inputs, request.outputs
     system = model.solved(drives)
     rigid, count = system.rigid_modes, number_of_modes(system)
-    least, kept = max(rigid, 1), count if modes is None else modes
-    if modes is not None and not (is_integer(kept) and least <= kept <= count):
-        problem = f"expected a number of modes from {least} to {count}, found {shown(kept)}"
+    min_modes, mode_count = max(rigid, 1), count if modes is None else modes
+    if modes is not None and not (is_integer(mode_count) and min_modes <= mode_count <= count):
+        problem = f"expected a number of modes from {min_modes} to {count}, found {shown(mode_count)}"
         which = f"; the {rigid} rigid ones are counted and kept" if rigid else ""
         raise PkmodesError(problem, "modes", f"give the number of the lowest modes that are kept{which}")
     checked = model.checked(poses, on_error)
 
-    def at(points: Array) -> tuple[Array, ...]:
-        vibrating = LinearisedRobot(model, points, drives, backend)
-        parts = _matrices(vibrating, into, out, int(kept), residual and quantity == "displacement")
-        return _differentiated(parts, QUANTITIES[quantity], into, out, quantity)
+    def evaluate(points: Array) -> tuple[Array, ...]:
+        linearised = LinearisedRobot(model, points, drives, backend)
+        has_residual = residual and quantity == "displacement"
+        matrices = _modal_system(linearised, input_ports, output_ports, int(mode_count), has_residual)
+        return _differentiate(matrices, QUANTITIES[quantity], input_ports, output_ports, quantity)
 
-    A, B, C, D, frequencies = model.evaluated(at, checked)
+    A, B, C, D, frequencies = model.evaluated(evaluate, checked)
     return StateSpace(
         **request.fields(checked),
         A=A,
@@ -302,60 +306,81 @@ def state_space(
     )
 
 
-def _matrices(
-    at: LinearisedRobot, inputs: Sequence[Port], outputs: Sequence[Port], kept: int, residual: bool
+def _modal_system(
+    robot: LinearisedRobot, inputs: Sequence[Port], outputs: Sequence[Port], mode_count: int, residual: bool
 ) -> tuple[Array, ...]:
-    """Return A, B, C, D and the frequencies of the modes kept, at N poses."""
-    shapes, eigenvalues, N = at.own_shapes, at.eigenvalues, len(at.points)  # shapes: N, m, k
-    damping, rigid = at.damping.matrix, at.rigid
-    forces, L = at.kept.T @ input_vectors(at, inputs), output_vectors(at, outputs) @ at.kept
-    motors = prescribed(inputs, at.prescribed.shape[1])
-    M, K, viscous, loss = (block.prescribed @ motors for block in (*at.matrices, *at.dissipation))
+    """Return A, B, C, D and the frequencies of the modes kept, at N poses.
+
+    Symbols are those of the module's docstring; D is the feedthrough, and `modal_damping` is D_m.
+    """
+    shapes, eigenvalues, N = robot.own_shapes, robot.eigenvalues, len(robot.points)  # shapes: N, m, k
+    rigid = robot.rigid
+    forces = robot.kept.T @ input_vectors(robot, inputs)
+    output_map = output_vectors(robot, outputs) @ robot.kept
+    motors = prescribed(inputs, robot.prescribed.shape[1])
+    M, K, viscous, loss = (block.prescribed @ motors for block in (*robot.matrices, *robot.dissipation))
     omega = np.sqrt(np.abs(eigenvalues))
+    # g, k and c between the modes and the prescribed motions, Phi^T B_u, and the outputs of the modes.
     g, k, c = shapes @ M, shapes @ K, shapes @ viscous
-    c += at.rates[..., None] * g
+    c += robot.rates[..., None] * g
     if loss.any():
         c[:, rigid:] += (shapes[:, rigid:] @ loss) / omega[:, rigid:, None]
-    shown_by = L @ np.swapaxes(shapes, -1, -2)  # N, outputs, m
-    D = output_vectors(at, outputs) @ at.prescribed @ motors + _massless(at, forces - K, L)
-    push, use = shapes @ forces, slice(0, kept)
-    if residual:
-        omitted = (push - k)[:, kept:] / eigenvalues[:, kept:, None]
-        D = D + shown_by[:, :, kept:] @ omitted
-    D = D - shown_by[:, :, use] @ g[:, use]
-    d = damping[:, use, use]
-    h = d @ g[:, use] - c[:, use]
-    A, B = np.zeros((N, 2 * kept, 2 * kept)), np.zeros((N, 2 * kept, len(inputs)))
-    C = np.zeros((N, len(outputs), 2 * kept))
-    place = np.arange(kept)
-    A[:, 2 * place, 2 * place + 1] = 1.0
-    A[:, 2 * place + 1, 2 * place] = -eigenvalues[:, use]
-    A[:, 1::2, 1::2] = -d
+    modal_forces = shapes @ forces
+    modal_outputs = output_map @ np.swapaxes(shapes, -1, -2)  # N, outputs, m
+    # Outputs that follow the inputs without delay: by prescribed motions, and by massless coordinates.
+    D = output_vectors(robot, outputs) @ robot.prescribed @ motors + _massless_feedthrough(
+        robot, forces - K, output_map
+    )
+    kept_modes = slice(0, mode_count)
+    if residual:  # the static response of omitted modes, Lambda^-1 (Phi^T B_u - k)
+        omitted = (modal_forces - k)[:, mode_count:] / eigenvalues[:, mode_count:, None]
+        D = D + modal_outputs[:, :, mode_count:] @ omitted
+    # The outputs are of eta = xi - g u.
+    D = D - modal_outputs[:, :, kept_modes] @ g[:, kept_modes]
+    modal_damping = robot.damping.matrix[:, kept_modes, kept_modes]
+    h = modal_damping @ g[:, kept_modes] - c[:, kept_modes]
+    # The states xi and v of each mode alternate.
+    A, B = np.zeros((N, 2 * mode_count, 2 * mode_count)), np.zeros((N, 2 * mode_count, len(inputs)))
+    C = np.zeros((N, len(outputs), 2 * mode_count))
+    mode_indices = np.arange(mode_count)
+    A[:, 2 * mode_indices, 2 * mode_indices + 1] = 1.0
+    A[:, 2 * mode_indices + 1, 2 * mode_indices] = -eigenvalues[:, kept_modes]
+    A[:, 1::2, 1::2] = -modal_damping
     B[:, 0::2] = h
-    B[:, 1::2] = push[:, use] + eigenvalues[:, use, None] * g[:, use] - k[:, use] - d @ h
-    C[:, :, 0::2] = shown_by[:, :, use]
-    return A, B, C, D, np.sign(eigenvalues[:, use]) * omega[:, use] / (2.0 * np.pi)
+    B[:, 1::2] = (
+        modal_forces[:, kept_modes]
+        + eigenvalues[:, kept_modes, None] * g[:, kept_modes]
+        - k[:, kept_modes]
+        - modal_damping @ h
+    )
+    C[:, :, 0::2] = modal_outputs[:, :, kept_modes]
+    frequencies = np.sign(eigenvalues[:, kept_modes]) * omega[:, kept_modes] / (2.0 * np.pi)
+    return A, B, C, D, frequencies
 
 
-def _massless(at: LinearisedRobot, forces: Array, L: Array) -> Array:
-    """Return the outputs' direct response by coordinates without inertia, which give way to the inputs at once."""
-    r = at.massless
-    if not r.any():
-        return np.zeros((len(L), L.shape[1], forces.shape[-1]))
-    K = at.matrices[1].solved[:, r][:, :, r]
-    return np.asarray(L[..., r] @ np.linalg.solve(K, forces[:, r]))
+def _massless_feedthrough(robot: LinearisedRobot, forces: Array, output_map: Array) -> Array:
+    """Return the feedthrough via massless coordinates, which respond without delay."""
+    massless = robot.massless
+    if not massless.any():
+        return np.zeros((len(output_map), output_map.shape[1], forces.shape[-1]))
+    K = robot.matrices[1].solved[:, massless][:, :, massless]
+    return np.asarray(output_map[..., massless] @ np.linalg.solve(K, forces[:, massless]))
 
 
-def _differentiated(
-    parts: tuple[Array, ...], times: int, inputs: Sequence[Port], outputs: Sequence[Port], quantity: str
+def _differentiate(
+    matrices: tuple[Array, ...], order: int, inputs: Sequence[Port], outputs: Sequence[Port], quantity: str
 ) -> tuple[Array, ...]:
-    """Differentiate the outputs in time, which is impossible where an output follows an input at once."""
-    A, B, C, D, frequencies = parts
-    for _ in range(times):
+    """Return the matrices for outputs differentiated in time, which have no feedthrough before the last derivative.
+
+    - matrices: A, B, C, D and frequencies
+    - order: order of the derivative
+    """
+    A, B, C, D, frequencies = matrices
+    for _ in range(order):
         scale = np.abs(C) @ np.abs(B) / np.maximum(np.abs(A).max(axis=(1, 2)), 1.0)[:, None, None]
-        direct = np.abs(D) > NOTHING * np.maximum(scale, np.finfo(float).tiny)
-        if direct.any():
-            _, o, i = np.argwhere(direct)[0]
+        has_feedthrough = np.abs(D) > FEEDTHROUGH_TOLERANCE * np.maximum(scale, np.finfo(float).tiny)
+        if has_feedthrough.any():
+            _, o, i = np.argwhere(has_feedthrough)[0]
             problem = (
                 f"the displacement of {outputs[o].name} follows {inputs[i].name} at once, so that its {quantity} "
                 "contains a derivative of the input, which no proper system has"

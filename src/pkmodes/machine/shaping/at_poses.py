@@ -7,17 +7,17 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.model import Model
-from pkmodes.machine.shaping.fixed import BEYOND, CLOSE
+from pkmodes.machine.shaping.fixed import FREQUENCY_ACCURACY, RANGE_FACTOR
 from pkmodes.machine.shaping.kinds import factors
 from pkmodes.machine.shaping.residual_vibration import residual, residual_of_even
-from pkmodes.machine.shaping.ringing import Ringing, ringing
+from pkmodes.machine.shaping.ringing import Ringing, evaluate_ringing
 from pkmodes.machine.shaping.shapers import Shaper, shaper
 
 Array = NDArray[np.float64]
 #: Step in log frequency of the frequencies tried at each pose: zv leaves 3 % of a mode half a step away.
-APART = 0.04
-#: Poses evaluated at once.
-TOGETHER = 2000
+LOG_FREQUENCY_STEP = 0.04
+#: Number of poses evaluated at once.
+BATCH_SIZE = 2000
 #: Fraction of an interval that a golden-section step keeps.
 GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 
@@ -40,7 +40,7 @@ def shaper_at(
     kind : str
         One of `pkmodes.shaping.KINDS`, or a product such as "zv*zv*zv", factor k of which is for mode k.
     poses : array_like, shape (d,) or (..., d)
-        In SI units.
+        Poses in SI units.
     modes : int, optional
         For a single kind: how many of the lowest modes count; by default three.
     continuous : bool
@@ -70,17 +70,19 @@ def shaper_at(
     """
     count = len(factors(kind))
     checked = model.checked(poses, "raise")
-    at = ringing(model, checked.points, count if modes is None and count > 1 else modes, drives=drives)
-    if at.left_out:
-        problem = f"at {at.left_out} of the poses a mode does not oscillate"
+    ringing = evaluate_ringing(
+        model, checked.points, count if modes is None and count > 1 else modes, drives=drives
+    )
+    if ringing.left_out:
+        problem = f"at {ringing.left_out} of the poses a mode does not oscillate"
         raise PkmodesError(
-            problem, "poses", f"pkmodes modes --drives {at.drives} shows its frequency and damping ratio"
+            problem, "poses", f"pkmodes modes --drives {ringing.drives} shows its frequency and damping ratio"
         )
-    designs = own_shapers(kind, at, continuous=continuous)
+    designs = own_shapers(kind, ringing, continuous=continuous)
     return Shaper(*(part.reshape(*checked.batch, -1) for part in designs))
 
 
-def own_shapers(kind: str, at: Ringing, *, continuous: bool = False) -> Shaper:
+def own_shapers(kind: str, ringing: Ringing, *, continuous: bool = False) -> Shaper:
     """Return the shaper of each pose, (N, n).
 
     Factor k of a product is for mode k.  A shaper without factors has the mean damping ratio of all modes that count,
@@ -92,33 +94,40 @@ def own_shapers(kind: str, at: Ringing, *, continuous: bool = False) -> Shaper:
 
     Raises PkmodesError if a product has more factors than the machine has modes that count.
     """
-    count = check_factors(kind, at, "kind")
+    count = check_factors(kind, ringing, "kind")
     if count > 1:
-        return shaper(kind, at.frequencies[:, :count], at.damping_ratios[:, :count])
-    share = at.weights**2
-    zeta = np.average(at.damping_ratios, axis=-1, weights=share)
+        return shaper(kind, ringing.frequencies[:, :count], ringing.damping_ratios[:, :count])
+    share = ringing.weights**2
+    zeta = np.average(ringing.damping_ratios, axis=-1, weights=share)
     if continuous:
-        return shaper(kind, np.average(at.frequencies, axis=-1, weights=share), zeta)
-    parts = [slice(start, start + TOGETHER) for start in range(0, len(zeta), TOGETHER)]
+        return shaper(kind, np.average(ringing.frequencies, axis=-1, weights=share), zeta)
+    batches = [slice(start, start + BATCH_SIZE) for start in range(0, len(zeta), BATCH_SIZE)]
     frequencies = [
-        _least(kind, zeta[p], at.frequencies[p], at.damping_ratios[p], at.weights[p]) for p in parts
+        _best_frequencies(
+            kind,
+            zeta[batch],
+            ringing.frequencies[batch],
+            ringing.damping_ratios[batch],
+            ringing.weights[batch],
+        )
+        for batch in batches
     ]
     return shaper(kind, np.concatenate(frequencies), zeta)
 
 
-def check_factors(kind: str, at: Ringing, where: str) -> int:
+def check_factors(kind: str, ringing: Ringing, where: str) -> int:
     """Return the number of factors of a kind, each of which is for a mode that counts.
 
     Raises PkmodesError if it has more factors than modes count.
     """
     count = len(factors(kind))
-    if count > at.modes:
-        problem = f"{kind} is for {count} modes, but only {at.modes} count"
+    if count > ringing.modes:
+        problem = f"{kind} is for {count} modes, but only {ringing.modes} count"
         raise PkmodesError(problem, where, "leave out a factor, or count more modes")
     return count
 
 
-def _least(kind: str, zeta: Array, f: Array, ratios: Array, weights: Array) -> Array:
+def _best_frequencies(kind: str, zeta: Array, f: Array, ratios: Array, weights: Array) -> Array:
     """Return the frequency of the design that leaves least at each pose, (N,) [Hz].
 
     The best of frequencies apart by less than what a shaper of two impulses notices, and between its neighbours by
@@ -136,30 +145,34 @@ def _least(kind: str, zeta: Array, f: Array, ratios: Array, weights: Array) -> A
             )
         )
 
-    low, high = np.log(f.min(axis=1) / BEYOND), np.log(f.max(axis=1) * BEYOND)
-    count = 2 + int(np.ceil((high - low).max() / APART))
-    tried = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, count)
-    best = np.argmin(squared_vibration(tried), axis=1)
-    middle = np.take_along_axis(tried, best[:, None], 1)
+    low, high = np.log(f.min(axis=1) / RANGE_FACTOR), np.log(f.max(axis=1) * RANGE_FACTOR)
+    count = 2 + int(np.ceil((high - low).max() / LOG_FREQUENCY_STEP))
+    trial_logs = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, count)
+    best = np.argmin(squared_vibration(trial_logs), axis=1)
+    middle = np.take_along_axis(trial_logs, best[:, None], 1)
     width = ((high - low) / (count - 1))[:, None]
     a, b = middle - width, middle + width
-    for _ in range(int(np.ceil(np.log(2.0 * APART / CLOSE) / -np.log(GOLDEN)))):
-        inner = np.hstack([b - GOLDEN * (b - a), a + GOLDEN * (b - a)])
-        values = squared_vibration(inner)
-        lower = values[:, :1] <= values[:, 1:]
-        a, b = np.where(lower, a, inner[:, :1]), np.where(lower, inner[:, 1:], b)
-    ends = np.hstack([middle, 0.5 * (a + b)])
-    chosen = np.take_along_axis(ends, np.argmin(squared_vibration(ends), axis=1)[:, None], 1)
-    return np.asarray(np.exp(chosen[:, 0]))
+    for _ in range(int(np.ceil(np.log(2.0 * LOG_FREQUENCY_STEP / FREQUENCY_ACCURACY) / -np.log(GOLDEN)))):
+        inner_logs = np.hstack([b - GOLDEN * (b - a), a + GOLDEN * (b - a)])
+        values = squared_vibration(inner_logs)
+        is_first_lower = values[:, :1] <= values[:, 1:]
+        a, b = np.where(is_first_lower, a, inner_logs[:, :1]), np.where(is_first_lower, inner_logs[:, 1:], b)
+    finalists = np.hstack([middle, 0.5 * (a + b)])
+    best_logs = np.take_along_axis(finalists, np.argmin(squared_vibration(finalists), axis=1)[:, None], 1)
+    return np.asarray(np.exp(best_logs[:, 0]))
 
 
-def following(kind: str, at: Ringing, fixed: Shaper) -> Shaper:
+def shapers_following_pose(kind: str, ringing: Ringing, fixed: Shaper) -> Shaper:
     """Return the best shaper of each pose, (N, n): that for its own modes, or a fixed one where this leaves less."""
-    followed = own_shapers(kind, at)
+    followed = own_shapers(kind, ringing)
     left_by_own, left_by_fixed = (
-        at.shaped(residual(design, at.frequencies, at.damping_ratios)) for design in (followed, fixed)
+        ringing.shaped(residual(design, ringing.frequencies, ringing.damping_ratios))
+        for design in (followed, fixed)
     )
-    loses = (left_by_own > left_by_fixed)[:, None]
+    is_fixed_better = (left_by_own > left_by_fixed)[:, None]
     return Shaper(
-        *(np.where(loses, fixed_part, own_part) for own_part, fixed_part in zip(followed, fixed, strict=True))
+        *(
+            np.where(is_fixed_better, fixed_part, own_part)
+            for own_part, fixed_part in zip(followed, fixed, strict=True)
+        )
     )

@@ -9,9 +9,9 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from pkmodes.core.model import Model
-from pkmodes.machine.shaping.choice import NONE_GOOD, TICK, choices_by_axis, choose, kinds_for
-from pkmodes.machine.shaping.results import LEFT, Choice
-from pkmodes.machine.shaping.ringing import ringing
+from pkmodes.machine.shaping.choice import NONE_GOOD_ENOUGH, TICK, choices_by_axis, choose, kinds_for
+from pkmodes.machine.shaping.results import GOOD_ENOUGH_SHARE, Choice
+from pkmodes.machine.shaping.ringing import evaluate_ringing
 from pkmodes.machine.shaping.schedule import check_heights, notes_of, schedule_of, varying
 
 
@@ -21,7 +21,7 @@ def shapers_over(
     kinds: Sequence[str] | None = None,
     *,
     modes: int | None = None,
-    left: float = LEFT,
+    left: float = GOOD_ENOUGH_SHARE,
     length: float | None = None,
     tick: float = TICK,
     firmware: str | None = None,
@@ -84,32 +84,32 @@ def shapers_over(
     PoseError
         If no pose can be evaluated.
     """
-    at = ringing(model, poses, modes, settings, drives)
+    ringing = evaluate_ringing(model, poses, modes, settings, drives)
     if height is not None:
-        check_heights(height, varying(at.settings))
+        check_heights(height, varying(ringing.settings))
     if kinds is not None and not isinstance(kinds, str):
         kinds = tuple(kinds)
-    whole = choose(at, kinds, left=left, length=length, tick=tick, firmware=firmware)
-    by_axis = choices_by_axis(whole, kinds, tick)
-    if len(at.settings) > 1:
-        schedule = schedule_of(model, poses, whole, kinds, tick, height)
+    overall_choice = choose(ringing, kinds, left=left, length=length, tick=tick, firmware=firmware)
+    by_axis = choices_by_axis(overall_choice, kinds, tick)
+    if len(ringing.settings) > 1:
+        schedule = schedule_of(model, poses, overall_choice, kinds, tick, height)
         for axis, choice in by_axis.items():
             if choice.ringing.changes_with_settings:
                 usable = kinds_for(choice.ringing, kinds)
                 scheduled = schedule_of(model, poses, choice, usable, tick, height, axis)
                 by_axis[axis] = replace(choice, schedule=scheduled)
-        whole = replace(whole, schedule=schedule)
-    notes = list(whole.notes)
+        overall_choice = replace(overall_choice, schedule=schedule)
+    notes = list(overall_choice.notes)
     if by_axis:  # one shaper for all axes is not what is recommended
-        notes = [note for note in notes if not note.startswith(NONE_GOOD)]
+        notes = [note for note in notes if not note.startswith(NONE_GOOD_ENOUGH)]
         notes += [
             f"on {axis} {note}"
-            for axis, part in by_axis.items()
-            for note in part.notes
-            if note.startswith(NONE_GOOD)
+            for axis, axis_choice in by_axis.items()
+            for note in axis_choice.notes
+            if note.startswith(NONE_GOOD_ENOUGH)
         ]
-    whole = replace(whole, by_axis=by_axis)
-    for part in whole.parts.values():
-        if part.schedule is not None:
-            notes += notes_of(part.schedule)
-    return replace(whole, notes=tuple(notes))
+    overall_choice = replace(overall_choice, by_axis=by_axis)
+    for axis_choice in overall_choice.parts.values():
+        if axis_choice.schedule is not None:
+            notes += notes_of(axis_choice.schedule)
+    return replace(overall_choice, notes=tuple(notes))

@@ -1,9 +1,9 @@
-"""Impulses that firmware makes of a kind, a frequency and a damping ratio, by formulas of its own where it has any.
+"""Impulses that firmware generates for a shaper kind, frequency and damping ratio, by its own formulas if it has any.
 
-Klipper until 22 September 2025 makes those of `pkmodes.shaping.shaper`.  Since then ei, 2hump_ei and 3hump_ei
-satisfy their conditions (pkmodes_description.shapers) for the damped mode as well: their impulses are polynomials of
-the damping ratio, fitted to numerical solutions for a tolerance of 5 % (klippy/extras/shaper_defs.py, commit
-5da026a33). RepRapFirmware has the same for the humps, with times in periods of the damped mode
+Until 22 September 2025 Klipper made the impulses of `pkmodes.shaping.shaper`, and since then ei, 2hump_ei and
+3hump_ei satisfy their conditions (pkmodes_description.shapers) for the damped mode as well: their impulses are
+polynomials of the damping ratio, fitted to numerical solutions for a tolerance of 5 % (klippy/extras/shaper_defs.py,
+commit 5da026a33).  RepRapFirmware has the same for the humps, with times in periods of the damped mode
 (src/Movement/AxisShaper.cpp, tag 3.6.0-beta.1).
 
 Marlin's fixed-time motion (Marlin/src/module/ft_motion/shaping.cpp) makes those of `pkmodes.shaping.shaper`,
@@ -17,16 +17,23 @@ import numpy as np
 from numpy.polynomial.polynomial import polyval
 from numpy.typing import NDArray
 
-from pkmodes.machine.shaping.firmware import KLIPPER, LEAST, MARLIN, TOLERANT, VERSIONS, named
+from pkmodes.machine.shaping.firmware import (
+    KINDS_WITH_TOLERANCE,
+    KLIPPER_MAX_RATIOS,
+    MARLIN_MIN_RATIO,
+    MARLIN_NUMBERS,
+    VERSIONS,
+    has_reprap_name,
+)
 from pkmodes.machine.shaping.shapers import Shaper, shaper
 from pkmodes_description.shapers import SHAPERS, TOLERANCE
 
 Array = NDArray[np.float64]
 #: Sampling rate of fixed-time motion [Hz]: the default of FTM_FS.
-SAMPLES = 1000.0
+FTM_SAMPLE_RATE = 1000.0
 #: Coefficients of the powers of the damping ratio for each impulse: times, in periods of the undamped mode, and
 #: amplitudes.
-HUMPS = {
+HUMP_COEFFICIENTS = {
     "2hump_ei": (
         [
             (0.0, 0.0, 0.0, 0.0),
@@ -60,71 +67,84 @@ HUMPS = {
 }
 
 
-def as_made(version: str, kind: str, frequency: float, zeta: float) -> Shaper:
+def firmware_shaper(version: str, kind: str, frequency: float, zeta: float) -> Shaper:
     """Return the shaper that a version of a firmware makes; that of the design where it has no formulas of its own.
 
     - version: a key of `pkmodes.machine.shaping.firmware.VERSIONS`
-    - kind: of one mode
-    - frequency: of the design [Hz]
-    - zeta: damping ratio of the design
+    - kind: kind of shaper for one mode
+    - frequency: design frequency [Hz]
+    - zeta: design damping ratio
     """
-    name = VERSIONS[version].firmware
-    if not has_own(version, kind, zeta):
+    firmware = VERSIONS[version].firmware
+    if not has_own_formulas(version, kind, zeta):
         return shaper(kind, frequency, zeta)
-    if name == "marlin":
-        return _sampled(kind, frequency, max(zeta, LEAST))
+    if firmware == "marlin":
+        return _marlin_shaper(kind, frequency, max(zeta, MARLIN_MIN_RATIO))
     if kind == "ei":
-        return _ei(frequency, zeta)
-    period = 1.0 / (frequency * (np.sqrt(1.0 - zeta**2) if name == "reprapfirmware" else 1.0))
-    # The missing comma made one coefficient of two, and its row, which had three then, set the order of all.
-    return _humps(kind, period, zeta, lacking=version == "klipper-2025-09" and kind == "3hump_ei")
+        return _klipper_ei_shaper(frequency, zeta)
+    period = 1.0 / (frequency * (np.sqrt(1.0 - zeta**2) if firmware == "reprapfirmware" else 1.0))
+    # A missing comma merged two coefficients into one; that row then had three, which truncated all rows to second
+    # order.
+    return _hump_shaper(
+        kind, period, zeta, missing_third_order=version == "klipper-2025-09" and kind == "3hump_ei"
+    )
 
 
-def has_own(version: str, kind: str, zeta: float) -> bool:
+def has_own_formulas(version: str, kind: str, zeta: float) -> bool:
     """Return whether a version has formulas of its own for a shaper.
 
-    - version, kind, zeta: as for `as_made`
+    - version, kind, zeta: as for `firmware_shaper`
     """
-    name = VERSIONS[version].firmware
-    if name == "klipper":
-        return version != "klipper-2025-08" and kind in TOLERANT and zeta <= KLIPPER[kind]
-    return kind in MARLIN if name == "marlin" else kind in HUMPS and named(kind, zeta)
+    firmware = VERSIONS[version].firmware
+    if firmware == "klipper":
+        if version == "klipper-2025-08":
+            return False
+        return kind in KINDS_WITH_TOLERANCE and zeta <= KLIPPER_MAX_RATIOS[kind]
+    if firmware == "marlin":
+        return kind in MARLIN_NUMBERS
+    return kind in HUMP_COEFFICIENTS and has_reprap_name(kind, zeta)
 
 
-def settled(version: str, kind: str, frequency: float, zeta: float) -> float:
-    """Return the frequency in the middle of those for which a version makes the same impulses [Hz].
+def centre_of_equal_impulses(version: str, kind: str, frequency: float, zeta: float) -> float:
+    """Return the middle of the interval of frequencies for which a version makes the same impulses [Hz].
 
-    - version, kind, frequency, zeta: as for `as_made`
+    - version, kind, frequency, zeta: as for `firmware_shaper`
     """
-    if VERSIONS[version].firmware != "marlin" or not has_own(version, kind, zeta):
+    if VERSIONS[version].firmware != "marlin" or not has_own_formulas(version, kind, zeta):
         return frequency
-    made, design = as_made(version, kind, frequency, zeta), shaper(kind, frequency, max(zeta, LEAST))
-    return frequency if made.delays[1] == 0.0 else float(frequency * design.delays[1] / made.delays[1])
+    version_shaper = firmware_shaper(version, kind, frequency, zeta)
+    if version_shaper.delays[1] == 0.0:
+        return frequency
+    design = shaper(kind, frequency, max(zeta, MARLIN_MIN_RATIO))
+    return float(frequency * design.delays[1] / version_shaper.delays[1])
 
 
-def _ei(frequency: float, zeta: float) -> Shaper:
-    """Return the three impulses of ei with a damped mode."""
-    V = TOLERANCE
-    first = polyval(zeta, [0.24968 + 0.24961 * V, 0.80008 + 1.23328 * V, 0.49599 + 3.17316 * V])
-    last = polyval(zeta, [0.25149 + 0.21474 * V, -0.83249 + 1.41498 * V, 0.85181 - 4.90094 * V])
-    rising = [0.46159 + 8.57843 * V, 4.26169 - 108.644 * V, 1.75601 + 336.989 * V]
-    middle = 0.4999 + zeta * V * polyval(zeta, rising)
+def _klipper_ei_shaper(frequency: float, zeta: float) -> Shaper:
+    """Return the three impulses of Klipper's ei for a damped mode."""
+    tol = TOLERANCE
+    first = polyval(zeta, [0.24968 + 0.24961 * tol, 0.80008 + 1.23328 * tol, 0.49599 + 3.17316 * tol])
+    last = polyval(zeta, [0.25149 + 0.21474 * tol, -0.83249 + 1.41498 * tol, 0.85181 - 4.90094 * tol])
+    rising = [0.46159 + 8.57843 * tol, 4.26169 - 108.644 * tol, 1.75601 + 336.989 * tol]
+    middle = 0.4999 + zeta * tol * polyval(zeta, rising)
     period = 1.0 / (frequency * np.sqrt(1.0 - zeta**2))
     return Shaper(np.array([first, 1.0 - first - last, last]), period * np.array([0.0, middle, 1.0]))
 
 
-def _humps(kind: str, period: float, zeta: float, *, lacking: bool) -> Shaper:
-    """Return the impulses of 2hump_ei or 3hump_ei, also without the terms of third order that Klipper once lacked."""
-    times, amplitudes = (np.array(part) for part in HUMPS[kind])
-    if lacking:
+def _hump_shaper(kind: str, period: float, zeta: float, *, missing_third_order: bool) -> Shaper:
+    """Return the impulses of 2hump_ei or 3hump_ei.
+
+    - missing_third_order: without the third-order terms, which Klipper lacked for a time
+    """
+    times, amplitudes = (np.array(part) for part in HUMP_COEFFICIENTS[kind])
+    if missing_third_order:
         amplitudes[0, 2] += amplitudes[0, 3]
         times[:, 3] = amplitudes[:, 3] = 0.0
-    sizes = polyval(zeta, amplitudes.T)
-    return Shaper(sizes / sizes.sum(), period * polyval(zeta, times.T))
+    raw_amplitudes = polyval(zeta, amplitudes.T)
+    return Shaper(raw_amplitudes / raw_amplitudes.sum(), period * polyval(zeta, times.T))
 
 
-def _sampled(kind: str, frequency: float, zeta: float) -> Shaper:
-    """Return the impulses of fixed-time motion."""
+def _marlin_shaper(kind: str, frequency: float, zeta: float) -> Shaper:
+    """Return the impulses of Marlin's fixed-time motion."""
     design = shaper(kind, frequency, zeta)
     count = np.arange(len(design.delays))
     amplitudes = design.amplitudes
@@ -133,4 +153,4 @@ def _sampled(kind: str, frequency: float, zeta: float) -> Shaper:
         amplitudes = np.array(SHAPERS[kind].weights) * decay**count
         amplitudes = amplitudes / amplitudes.sum()
     # Halves are rounded away from zero, as lround does.
-    return Shaper(amplitudes, np.floor(design.delays[1] * SAMPLES + 0.5) / SAMPLES * count)
+    return Shaper(amplitudes, np.floor(design.delays[1] * FTM_SAMPLE_RATE + 0.5) / FTM_SAMPLE_RATE * count)

@@ -22,19 +22,19 @@ from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.documents import Document, Size
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.machine.shaping.choice import TICK, choose, default_kinds
-from pkmodes.machine.shaping.results import LEFT, Candidate, Choice
-from pkmodes.machine.shaping.ringing import MODES, Ringing
+from pkmodes.machine.shaping.results import GOOD_ENOUGH_SHARE, Candidate, Choice
+from pkmodes.machine.shaping.ringing import DEFAULT_MODES, Ringing
 
 Array = NDArray[np.float64]
 #: Standard deviations within which frequency and damping ratio are varied, and the points evaluated: frequencies with
 #: the smallest and the largest ratio, and last the mode as measured.
-WITHIN = 2.0
-FREQUENCIES = np.repeat(np.linspace(-WITHIN, WITHIN, 5), 2)
-RATIOS = np.tile([-WITHIN, WITHIN], 5)
-PLACES = np.array([[*FREQUENCIES, 0.0], [*RATIOS, 0.0]])
+SIGMA_RANGE = 2.0
+FREQUENCY_OFFSETS = np.repeat(np.linspace(-SIGMA_RANGE, SIGMA_RANGE, 5), 2)
+RATIO_OFFSETS = np.tile([-SIGMA_RANGE, SIGMA_RANGE], 5)
+OFFSETS = np.array([[*FREQUENCY_OFFSETS, 0.0], [*RATIO_OFFSETS, 0.0]])
 #: Smallest and largest damping ratio assumed for a mode without one, and the largest for any mode: above it, none
 #: oscillates.
-UNKNOWN, LARGEST = (0.0, 0.1), 0.99
+UNKNOWN_RATIO_RANGE, MAX_RATIO = (0.0, 0.1), 0.99
 RATIO = Constraint("a damping ratio from 0 to below 1", lambda value: is_number(value) and 0.0 <= value < 1.0)
 
 
@@ -57,8 +57,8 @@ class MeasuredRinging(Ringing):
     """R measured modes, each at K points within its errors and treated by itself: N = R K poses of one mode.
 
     - data: the table
-    - rows: those that count, (R,)
-    - assumed: damping ratio of the modes without one; None: anything within `UNKNOWN`
+    - rows: rows that count, (R,)
+    - assumed: damping ratio of the modes without one; None: anything within `UNKNOWN_RATIO_RANGE`
     """
 
     data: Measurements = field(kw_only=True)
@@ -78,7 +78,7 @@ class MeasuredRinging(Ringing):
     @property
     def share_of(self) -> str:
         """What the largest remaining vibration is a share of, in words."""
-        return f"of the worst measured mode within {WITHIN:g} standard deviations"
+        return f"of the worst measured mode within {SIGMA_RANGE:g} standard deviations"
 
     def left_of(self, candidate: Candidate) -> tuple[Array, Array]:
         """Return what a shaper leaves of each mode as measured, and the most within its errors, (R,) each."""
@@ -112,16 +112,16 @@ class MeasuredRinging(Ringing):
             )
         unknown = int(np.isnan(data.damping[self.rows]).sum())
         if unknown:
-            lacking = (
+            subject = (
                 "no mode has" if unknown == len(self.rows) else f"{unknown} of {len(self.rows)} modes lack"
             )
-            low, high = (100.0 * ratio for ratio in UNKNOWN)
-            taken = f"{plain(100.0 * (self.assumed or 0.0), 3)} % is taken instead, by --damping"
+            low, high = (100.0 * ratio for ratio in UNKNOWN_RATIO_RANGE)
+            substitute = f"{plain(100.0 * (self.assumed or 0.0), 3)} % is taken instead, by --damping"
             if self.assumed is None:
-                taken = (
+                substitute = (
                     f"whichever from {low:g} to {high:g} % leaves most counts instead (--damping gives one)"
                 )
-            notes.append(f"{lacking} a damping ratio: {taken}")
+            notes.append(f"{subject} a damping ratio: {substitute}")
         if not self.damping_ratios.any():
             notes.append(
                 f"no mode has damping: shapers are designed for {designed_for}; --damping gives a ratio"
@@ -149,29 +149,29 @@ def measured_ringing(
         check_argument(damping, RATIO, "damping", "for example: 0.05")
     if not len(data.pose):
         raise MeasurementError("expected measured modes, found none", data.source, "give a row for each mode")
-    held = np.array([drives == HELD for drives in data.drives])
-    used = held if held.any() else np.ones(len(held), bool)
+    held_mask = np.array([drives == HELD for drives in data.drives])
+    counted_mask = held_mask if held_mask.any() else np.ones(len(held_mask), bool)
     order = np.lexsort((data.frequency, data.pose))
     rank = np.concatenate([np.arange(n) for n in np.bincount(data.pose)])
-    counts = used[data.pose[order]] & (rank < (len(rank) if modes is None else modes))
+    counts = counted_mask[data.pose[order]] & (rank < (len(rank) if modes is None else modes))
     rows = np.sort(order[counts])
     f, sigma, zeta = data.frequency[rows], data.sigma[rows], data.damping[rows]
-    smallest, largest = UNKNOWN if damping is None else (damping, damping)
-    middle, half = 0.5 * (smallest + largest), 0.5 * (largest - smallest) / WITHIN
-    measured = np.isfinite(zeta)
-    ratios = np.where(measured, zeta, middle)
-    spread = np.where(measured, data.damping_sigma[rows], half)
-    steps, turns = PLACES
-    within = f[:, None] * np.exp(steps * (sigma / f)[:, None])
-    damped = np.clip(ratios[:, None] + turns * spread[:, None], 0.0, LARGEST)
-    size = within.size
+    smallest, largest = UNKNOWN_RATIO_RANGE if damping is None else (damping, damping)
+    middle, half_range = 0.5 * (smallest + largest), 0.5 * (largest - smallest) / SIGMA_RANGE
+    has_ratio = np.isfinite(zeta)
+    ratios = np.where(has_ratio, zeta, middle)
+    spread = np.where(has_ratio, data.damping_sigma[rows], half_range)
+    frequency_offsets, ratio_offsets = OFFSETS
+    varied_frequencies = f[:, None] * np.exp(frequency_offsets * (sigma / f)[:, None])
+    varied_ratios = np.clip(ratios[:, None] + ratio_offsets * spread[:, None], 0.0, MAX_RATIO)
+    point_count = varied_frequencies.size
     return MeasuredRinging(
-        np.repeat(data.points[data.pose[rows]], within.shape[1], axis=0),
-        within.reshape(size, 1),
-        damped.reshape(size, 1),
-        np.ones((size, 1)),
+        np.repeat(data.points[data.pose[rows]], varied_frequencies.shape[1], axis=0),
+        varied_frequencies.reshape(point_count, 1),
+        varied_ratios.reshape(point_count, 1),
+        np.ones((point_count, 1)),
         None,
-        int(np.count_nonzero(~used)),
+        int(np.count_nonzero(~counted_mask)),
         drives=data.drives[data.pose[rows[0]]],
         motors=motors_text([data.drives[data.pose[rows[0]]]]),
         data=data,
@@ -196,7 +196,7 @@ def measured_shapers(
     *,
     modes: int | None = None,
     damping: float | None = None,
-    left: float = LEFT,
+    left: float = GOOD_ENOUGH_SHARE,
     length: float | None = None,
     tick: float = TICK,
     firmware: str | None = None,
@@ -217,6 +217,6 @@ def measured_shapers(
     them.
     Raises MeasurementError if the table has no modes.
     """
-    at = measured_ringing(data, modes, damping)
-    chosen = default_kinds(min(at.modes, MODES)) if kinds is None else kinds
-    return choose(at, chosen, left=left, length=length, tick=tick, firmware=firmware)
+    ringing = measured_ringing(data, modes, damping)
+    compared_kinds = default_kinds(min(ringing.modes, DEFAULT_MODES)) if kinds is None else kinds
+    return choose(ringing, compared_kinds, left=left, length=length, tick=tick, firmware=firmware)

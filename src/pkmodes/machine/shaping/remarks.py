@@ -1,4 +1,4 @@
-"""What firmware makes of a recommended shaper, and what it gets instead of one that it lacks."""
+"""What firmware makes of a recommended shaper, and what is used instead where firmware lacks it."""
 
 from __future__ import annotations
 
@@ -6,25 +6,26 @@ from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.ordering import joined
 from pkmodes.machine.shaping.firmware import (
     DEFAULT_RATIO,
-    LEAST,
-    MARLIN,
+    FIRMWARE_TITLES,
+    MARLIN_MIN_RATIO,
+    MARLIN_NUMBERS,
     MARLIN_ZV_RATIO,
-    NAMES,
-    NO_DAMPING,
+    MIN_WRITTEN_RATIO,
 )
 from pkmodes.machine.shaping.results import Choice
 from pkmodes.machine.shaping.version_lines import recommended_in, shapers_in_words
 
 
 def firmware_remarks(choice: Choice) -> list[str]:
-    """Return sentences on firmware that lacks the recommended shaper, or makes a different one from its lines."""
-    recommended = {axis: part.best for axis, part in choice.parts.items()}
+    """Return sentences on firmware that lacks the recommended shaper, or whose lines set another damping ratio."""
+    recommended = {axis: axis_choice.best for axis, axis_choice in choice.parts.items()}
     notes, substitutes = [], dict[str, list[str]]()
-    for name, title in NAMES.items():
+    for name, title in FIRMWARE_TITLES.items():
         shapers = recommended_in(name, choice)
         if choice.by_axis and "" in shapers:
             notes.append(
-                f"{title} has one shaper for all axes: its line is for {_leaving(choice, shapers[''].kind)}"
+                f"{title} has one shaper for all axes: its line sets "
+                f"{_kind_with_remaining_vibration(choice, shapers[''].kind)}"
             )
         elif not shapers:
             notes.append(
@@ -32,28 +33,33 @@ def firmware_remarks(choice: Choice) -> list[str]:
             )
         elif any(shapers[axis].kind != recommended[axis].kind for axis in shapers):
             kinds = " and ".join(
-                _leaving(choice.parts[axis], shaper.kind, f" on {axis}" if axis else "")
+                _kind_with_remaining_vibration(choice.parts[axis], shaper.kind, f" on {axis}" if axis else "")
                 for axis, shaper in shapers.items()
             )
             substitutes.setdefault(kinds, []).append(title)
-    lacking = shapers_in_words(recommended)
-    notes += [
-        f"no {lacking} in {joined(titles)}: lines are for {kinds}" for kinds, titles in substitutes.items()
-    ]
+    recommended_kinds = shapers_in_words(recommended)
+    for kinds, titles in substitutes.items():
+        have, their = ("has", "its") if len(titles) == 1 else ("have", "their")
+        notes.append(f"{joined(titles)} {have} no {recommended_kinds}: {their} lines set {kinds}")
     ratios = [shaper.damping_ratio for shaper in recommended.values()]
-    if min(ratios) < NO_DAMPING:
+    if min(ratios) < MIN_WRITTEN_RATIO:
         notes.append(
-            f"lines of Klipper and Marlin without a damping ratio: Klipper then takes {DEFAULT_RATIO:g}, and Marlin "
-            f"what is set, {DEFAULT_RATIO:g} unless changed ({MARLIN_ZV_RATIO:g} by M593)"
+            f"the lines for Klipper and Marlin set no damping ratio: Klipper then uses {DEFAULT_RATIO:g}, and Marlin "
+            f"its configured value (default {DEFAULT_RATIO:g}; {MARLIN_ZV_RATIO:g} for M593)"
         )
-    elif any(shaper.kind in MARLIN and shaper.damping_ratio < LEAST for shaper in recommended.values()):
-        notes.append(f"Marlin takes no damping ratio below {LEAST:g}: its line has this value")
+    elif any(
+        shaper.kind in MARLIN_NUMBERS and shaper.damping_ratio < MARLIN_MIN_RATIO
+        for shaper in recommended.values()
+    ):
+        notes.append(
+            f"Marlin accepts no damping ratio below {MARLIN_MIN_RATIO:g}, so its line sets {MARLIN_MIN_RATIO:g}"
+        )
     return notes
 
 
-def _leaving(choice: Choice, kind: str, on: str = "") -> str:
-    """Return a kind of fixed shaper, and the most that it leaves."""
+def _kind_with_remaining_vibration(choice: Choice, kind: str, axis_suffix: str = "") -> str:
+    """Return a kind of fixed shaper, and the largest vibration that it leaves."""
     shaper = next(
         candidate for candidate in choice.candidates if candidate.kind == kind and not candidate.follows_pose
     )
-    return f"{kind}{on}, which leaves up to {plain(100 * shaper.left.worst, 2)} % {choice.ringing.share_of}"
+    return f"{kind}{axis_suffix}, which leaves up to {plain(100 * shaper.left.worst, 2)} % {choice.ringing.share_of}"

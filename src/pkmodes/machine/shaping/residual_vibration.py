@@ -33,7 +33,8 @@ def residual(shaper: Shaper, frequencies: ArrayLike, damping_ratios: ArrayLike) 
         the *first* on, unlike in NumPy: the one with fewer axes gets more at its end.  So shapers (N, n) take
         frequencies (N,), one mode for each shaper, or (N, m), m modes for each; a shaper (n,) takes any shape.
     damping_ratios : array_like
-        Of the actual modes, in [0, 1) [-].  It is broadcast with the frequencies as usual: from the last axis on.
+        Damping ratios of the actual modes, in [0, 1) [-].  They are broadcast with the frequencies as usual: from the
+        last axis on.
 
     Returns
     -------
@@ -70,9 +71,9 @@ def residual(shaper: Shaper, frequencies: ArrayLike, damping_ratios: ArrayLike) 
 def residual_of_even(amplitudes: Array, step: Array, frequencies: Array, damping_ratios: Array) -> Array:
     """Return the same for impulses at even steps, with one exponential for all of them: for many designs at once.
 
-    - amplitudes: of the impulses, the last axis theirs, (..., n)
+    - amplitudes: amplitudes of the impulses, along the last axis, (..., n)
     - step: time between them, (...) [s]
-    - frequencies, damping_ratios: of the modes [Hz], broadcast with the step
+    - frequencies, damping_ratios: frequencies [Hz] and damping ratios of the modes, broadcast with the step
     """
     root = np.sqrt((1.0 - damping_ratios) * (1.0 + damping_ratios))
     back = np.exp(-(damping_ratios + 1j * root) * (2.0 * np.pi * frequencies) * step)

@@ -9,7 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.attached import Attached
-from pkmodes.machine.shaping.firmware import AXES, NAMES, VERSIONS, change, command, setting
+from pkmodes.machine.shaping.firmware import (
+    AXES,
+    FIRMWARE_TITLES,
+    VERSIONS,
+    commands_by_firmware,
+    configuration_lines,
+    runtime_command,
+)
 from pkmodes.machine.shaping.ringing import Ringing
 from pkmodes.machine.shaping.settings import Setting, append_unit
 from pkmodes.machine.shaping.shapers import Shaper
@@ -19,7 +26,7 @@ Array = NDArray[np.float64]
 #: corners of 90 degrees (square_corner_velocity) [m/s].
 SMOOTHING, CORNER_SPEED = 0.12e-3, 5e-3
 #: A fixed shaper is good enough if it leaves at most this share of the largest vibration without a shaper.
-LEFT = 0.1
+GOOD_ENOUGH_SHARE = 0.1
 
 
 @dataclass(frozen=True)
@@ -55,9 +62,9 @@ class Candidate:
     follows_pose : bool
         And the settings, if there are several.
     frequencies : tuple of float
-        Of the design [Hz], one for each factor; empty if it follows the pose.
+        Design frequencies [Hz], one for each factor; empty if it follows the pose.
     damping_ratio : float
-        Of the design; NaN if it follows the pose.
+        Design damping ratio; NaN if it follows the pose.
     shaper : Shaper
         Impulses (n,), or (N, n) if it follows the pose.
     left : Amplitude
@@ -128,7 +135,7 @@ def recommended_of(
     - share: share of the largest vibration that is good enough
     - length: longest duration allowed [s]
     - firmware: the version of a firmware that has it; None for any
-    - axes: those that the shaper is for
+    - axes: axes that the shaper is for
 
     Returns, in this order:
     - index: None if none lasts at most `length`, or the firmware has none
@@ -139,7 +146,7 @@ def recommended_of(
         for i, candidate in enumerate(candidates)
         if not candidate.follows_pose
         and (length is None or candidate.duration <= length)
-        and (firmware is None or setting(firmware, *candidate.design, axes) is not None)
+        and (firmware is None or configuration_lines(firmware, *candidate.design, axes) is not None)
     ]
     good = [i for i in allowed if candidates[i].left.worst <= share]
     if good:
@@ -154,9 +161,9 @@ class Choice:
     Attributes
     ----------
     ringing : Ringing
-        Of the machine.
+        Modes of the machine in use.
     unshaped : Amplitude
-        In s^2: m of platform vibration for a step of 1 m/s^2.
+        Vibration without a shaper [s^2]: m of platform vibration for a step of 1 m/s^2.
     candidates : tuple of Candidate
         The fixed ones, then those that follow the pose, if modes are known between poses.
     recommended : int
@@ -179,7 +186,7 @@ class Choice:
     candidates: tuple[Candidate, ...]
     recommended: int
     notes: tuple[str, ...]
-    left: float = LEFT
+    left: float = GOOD_ENOUGH_SHARE
     length: float | None = None
     firmware: str | None = None
     schedule: Schedule | None = None
@@ -196,10 +203,10 @@ class Choice:
         """Return the recommended shaper, or the best one that a version of a firmware has; None if it has none.
 
         - version: such as ``"klipper"`` or ``"klipper-2025-08"``
-        - axes: those that the shaper is for
+        - axes: axes that the shaper is for
         - without: a kind that does not count
         """
-        if self.best.kind != without and setting(version, *self.best.design, axes) is not None:
+        if self.best.kind != without and configuration_lines(version, *self.best.design, axes) is not None:
             return self.best
         candidates = [candidate for candidate in self.candidates if candidate.kind != without]
         index, _ = recommended_of(candidates, self.left, self.length, version, axes)
@@ -219,7 +226,7 @@ class Step:
     ----------
     setting : Setting
     choice : Choice
-        Of fixed shapers, over the poses at this setting and relative to it without a shaper.
+        Choice of fixed shapers, over the poses at this setting and relative to it without a shaper.
     fixed : float
         What the recommended shaper for all settings leaves here: the largest value over the largest without a shaper
         at this setting.
@@ -257,7 +264,7 @@ class Schedule:
     Attributes
     ----------
     steps : tuple of Step
-        In the order of the settings.
+        Steps in the order of the settings.
     parameter : str or None
         Path of the parameter that varies; None if several do.
     left : Amplitude
@@ -277,7 +284,7 @@ class Schedule:
 
     def lines(self) -> dict[str, str | None]:
         """Return the commands for the current version of each firmware; None where it lacks one of the shapers."""
-        return {name: None if self.differs_in(name) else self.commands(name) for name in NAMES}
+        return {name: None if self.differs_in(name) else self.commands(name) for name in FIRMWARE_TITLES}
 
     def differs_in(self, version: str) -> bool:
         """Whether a version of a firmware lacks one of the shapers: as for `commands`."""
@@ -301,7 +308,7 @@ class Schedule:
         if shapers is None:
             return None
         for step, shaper in zip(self.steps, shapers, strict=True):
-            text = change(version, *shaper.design, axes) or ""
+            text = runtime_command(version, *shaper.design, axes) or ""
             where = str(step.setting)
             if self.parameter is not None and step.serves is not None:
                 low, high = (f"{value:.4g}" for value in step.serves)
@@ -333,7 +340,7 @@ def shapers_in(
     Marlin has zv by M593, and others by fixed-time motion, which turns M593 off: it gets no mixture of both.
 
     - version: a key of `pkmodes.machine.shaping.firmware.VERSIONS`
-    - axes: those that the shaper of each choice is for
+    - axes: axes that the shaper of each choice is for
     - choices: under the same names
     """
     shapers = {name: choice.best_in(version, axes[name]) for name, choice in choices.items()}
@@ -348,6 +355,6 @@ def shapers_in(
 def command_of(candidate: Candidate, axis: str = "") -> dict[str, str | None]:
     """Return the commands that set a fixed shaper between two moves, by firmware.
 
-    - axis: that for which they are; empty for all
+    - axis: axis that they are for; empty for all
     """
-    return command(*candidate.design, axis or AXES)
+    return commands_by_firmware(*candidate.design, axis or AXES)

@@ -27,16 +27,16 @@ from pkmodes.machine.shaping.settings import Setting, setting_combinations
 
 Array = NDArray[np.float64]
 #: Default number of modes considered, the lowest ones.
-MODES = 3
+DEFAULT_MODES = 3
 #: Ratio of the largest to the median amplitude above which a few poses decide everything.
-DOMINATING = 20.0
+MAX_WORST_TO_MEDIAN = 20.0
 #: A mode that a step along another axis excites less than this, relative to its own axis, belongs to its own.
-INDEPENDENT = 1e-6
+MAX_CROSS_AXIS_RATIO = 1e-6
 #: Relative difference below which frequencies count as equal.
-SAME = 1e-9
+FREQUENCY_TOLERANCE = 1e-9
 #: Points and weights of the average over a normal distribution (Gauss-Hermite quadrature): exact for polynomials up
 #: to degree 17, and accurate to 1e-3 for the vibration that shapers leave.
-SPREAD, SHARE = (np.array(column) for column in np.polynomial.hermite_e.hermegauss(9))
+QUADRATURE_POINTS, QUADRATURE_WEIGHTS = (np.array(column) for column in np.polynomial.hermite_e.hermegauss(9))
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,9 +46,9 @@ class Ringing:
     Attributes
     ----------
     poses : ndarray, shape (N, d)
-        Those that can be evaluated and at which all these modes oscillate.
+        Poses that can be evaluated and at which all these modes oscillate.
     frequencies, damping_ratios : ndarray, shape (N, m)
-        In Hz, and 1.
+        Frequencies [Hz] and damping ratios [-].
     weights : ndarray, shape (N, m)
         Amplitude of the platform in each mode after a step of its acceleration by 1 m/s^2: the root of the sum of
         squares over the directions of the step [s^2].
@@ -57,7 +57,7 @@ class Ringing:
     axes : tuple of str
         Their names, k of them.
     modes_of_all : int
-        Of one of several axes: how many modes count for all of them together; else 0.
+        For one of several axes, how many modes count for all of them together; else 0.
     spread : ndarray, shape (N, m), or None
         Relative standard deviations of the frequencies, from those in the robot file; None where it has none.
     left_out : int
@@ -131,18 +131,18 @@ class Ringing:
 
     def only(self, setting: int) -> Ringing:
         """Return the part at one of the settings."""
-        kept = self.setting == setting
+        mask = self.setting == setting
         return replace(
             self,
-            poses=self.poses[kept],
-            frequencies=self.frequencies[kept],
-            damping_ratios=self.damping_ratios[kept],
-            weights=self.weights[kept],
-            spread=None if self.spread is None else self.spread[kept],
+            poses=self.poses[mask],
+            frequencies=self.frequencies[mask],
+            damping_ratios=self.damping_ratios[mask],
+            weights=self.weights[mask],
+            spread=None if self.spread is None else self.spread[mask],
             left_out=0,
             settings=(self.settings[setting],),
-            setting=np.zeros(int(np.count_nonzero(kept)), dtype=np.intp),
-            steps=None if self.steps is None else self.steps[kept],
+            setting=np.zeros(int(np.count_nonzero(mask)), dtype=np.intp),
+            steps=None if self.steps is None else self.steps[mask],
         )
 
     def by_axis(self) -> dict[str, Ringing]:
@@ -155,40 +155,42 @@ class Ringing:
         if self.steps is None or len(self.axes) < 2 or not self.steps.any():
             return {}
         ascending = np.sort(self.steps, axis=-1)
-        if (ascending[..., -2] > INDEPENDENT * ascending[..., -1]).any():
+        if (ascending[..., -2] > MAX_CROSS_AXIS_RATIO * ascending[..., -1]).any():
             return {}
-        excited = ascending[..., -1] > INDEPENDENT * ascending[..., -1].max(axis=-1, keepdims=True)
+        excited = ascending[..., -1] > MAX_CROSS_AXIS_RATIO * ascending[..., -1].max(axis=-1, keepdims=True)
         axis_of_mode = self.steps.argmax(axis=-1)
         parts = {name: self._of_axis(k, excited & (axis_of_mode == k)) for k, name in enumerate(self.axes)}
         return (
             {} if None in parts.values() else {name: part for name, part in parts.items() if part is not None}
         )
 
-    def _of_axis(self, axis: int, mask: NDArray[np.bool_]) -> Ringing | None:
+    def _of_axis(self, axis: int, mode_mask: NDArray[np.bool_]) -> Ringing | None:
         """Return the modes of an axis; None if a setting has no pose with any.
 
-        - mask: which modes these are, (N, m)
+        - mode_mask: which modes these are, (N, m)
         """
-        kept = mask.any(axis=1)
-        if not kept.any() or (self.setting is not None and len(set(self.setting[kept])) < len(self.settings)):
+        pose_mask = mode_mask.any(axis=1)
+        if not pose_mask.any() or (
+            self.setting is not None and len(set(self.setting[pose_mask])) < len(self.settings)
+        ):
             return None
-        mask = mask[kept]
-        order = np.argsort(~mask, axis=1, kind="stable")[:, : int(mask.sum(axis=1).max())]
-        present = np.take_along_axis(mask, order, 1)
+        mode_mask = mode_mask[pose_mask]
+        order = np.argsort(~mode_mask, axis=1, kind="stable")[:, : int(mode_mask.sum(axis=1).max())]
+        present = np.take_along_axis(mode_mask, order, 1)
         order = np.where(present, order, order[:, :1])
 
-        def chosen(values: Array) -> Array:
-            return np.asarray(np.take_along_axis(values[kept], order, 1))
+        def select_modes(values: Array) -> Array:
+            return np.asarray(np.take_along_axis(values[pose_mask], order, 1))
 
         assert self.steps is not None
         return replace(
             self,
-            poses=self.poses[kept],
-            frequencies=chosen(self.frequencies),
-            damping_ratios=chosen(self.damping_ratios),
-            weights=np.where(present, chosen(self.steps[..., axis]), 0.0),
-            spread=None if self.spread is None else chosen(self.spread),
-            setting=None if self.setting is None else self.setting[kept],
+            poses=self.poses[pose_mask],
+            frequencies=select_modes(self.frequencies),
+            damping_ratios=select_modes(self.damping_ratios),
+            weights=np.where(present, select_modes(self.steps[..., axis]), 0.0),
+            spread=None if self.spread is None else select_modes(self.spread),
+            setting=None if self.setting is None else self.setting[pose_mask],
             steps=None,
             axes=(self.axes[axis],),
             modes_of_all=self.modes,
@@ -199,7 +201,8 @@ class Ringing:
         """Whether a frequency differs between the settings."""
         parts = [self.only(i).frequencies for i in range(len(self.settings))]
         return len(parts) > 1 and not all(
-            part.shape == parts[0].shape and np.allclose(part, parts[0], SAME, 0.0) for part in parts
+            part.shape == parts[0].shape and np.allclose(part, parts[0], FREQUENCY_TOLERANCE, 0.0)
+            for part in parts
         )
 
     def notes(self, designed_for: str = "none") -> list[str]:
@@ -210,19 +213,19 @@ class Ringing:
         notes = []
         if self.left_out:
             are = "pose is" if self.left_out == 1 else "poses are"
-            of = ", counted at each setting" if len(self.settings) > 1 else ""
+            counting = ", counted at each setting" if len(self.settings) > 1 else ""
             notes.append(
-                f"{self.left_out} {are} left out{of}: not reachable, or a mode does not oscillate there"
+                f"{self.left_out} {are} left out{counting}: not reachable, or a mode does not oscillate there"
             )
         if len(self.settings) > 1 and not self.changes_with_settings:
             notes.append(
                 f"no frequency changes with the settings: {' and '.join(self.settings[0].values)} cannot be "
                 "seen in the modes that count"
             )
-        beyond = float(self.unshaped.max() / np.median(self.unshaped))
-        if beyond > DOMINATING:
+        worst_to_median = float(self.unshaped.max() / np.median(self.unshaped))
+        if worst_to_median > MAX_WORST_TO_MEDIAN:
             notes.append(
-                f"the machine rings {beyond:.0f} times as much at the worst {self.point_is} as at half of "
+                f"the machine rings {worst_to_median:.0f} times as much at the worst {self.point_is} as at half of "
                 "them: poses near singular ones decide; give the part of the workspace that is used, as a "
                 "grid or as [usable] in the robot file"
             )
@@ -244,14 +247,14 @@ class Ringing:
         """
         if self.spread is None:
             return []
-        shares = SHARE / SHARE.sum()
+        shares = QUADRATURE_WEIGHTS / QUADRATURE_WEIGHTS.sum()
         return [
             (float(w), self.frequencies * np.exp(x * self.spread))
-            for x, w in zip(SPREAD, shares, strict=True)
+            for x, w in zip(QUADRATURE_POINTS, shares, strict=True)
         ]
 
 
-def ringing(
+def evaluate_ringing(
     model: Model,
     poses: ArrayLike,
     modes: int | None = None,
@@ -273,27 +276,27 @@ def ringing(
     """
     say("computing the modes of the machine in use")
     if settings is None or (isinstance(settings, Mapping) and not settings):
-        does = drives_in_use(model.robot, drives)
-        return _at_poses(model, poses, _count(model, modes, does), does)
+        drives_used = drives_in_use(model.robot, drives)
+        return _at_poses(model, poses, _count(model, modes, drives_used), drives_used)
     return at_settings(model, poses, modes, setting_combinations(model, settings), drives)
 
 
 def at_settings(
     model: Model, poses: ArrayLike, modes: int | None, settings: Sequence[Setting], drives: str | None
 ) -> Ringing:
-    """Evaluate the modes at the poses of each setting: see `ringing`."""
+    """Evaluate the modes at the poses of each setting: see `evaluate_ringing`."""
     models = [model.with_values(setting.values) for setting in settings]
     give_way = [motors_give_way(variant.robot) for variant in models]
     if drives != HELD and len(set(give_way)) > 1:
-        soft, none = (settings[give_way.index(gives)] for gives in (True, False))
-        problem = f"at {soft} springs hold the motors, and at {none} none do"
+        sprung, unsprung = (settings[give_way.index(gives)] for gives in (True, False))
+        problem = f"at {sprung} springs hold the motors, and at {unsprung} none do"
         raise PkmodesError(problem, "settings", 'give values above 0 only, or take drives="held"')
-    does = drives_in_use(models[0].robot, drives)
-    count = min(_count(variant, modes, does) for variant in models)
+    drives_used = drives_in_use(models[0].robot, drives)
+    count = min(_count(variant, modes, drives_used) for variant in models)
     parts = []
     for variant, setting in zip(models, settings, strict=True):
         try:
-            parts.append(_at_poses(variant, poses, count, does, fixed_paths=setting.values))
+            parts.append(_at_poses(variant, poses, count, drives_used, fixed_paths=setting.values))
         except PoseError as error:
             raise PoseError(f"{error.what}, at {setting}", error.where, error.remedy, error.index) from None
     spread = [part.spread for part in parts if part.spread is not None]
@@ -306,7 +309,7 @@ def at_settings(
         sum(part.left_out for part in parts),
         tuple(settings),
         np.repeat(np.arange(len(parts)), [len(part.poses) for part in parts]),
-        does,
+        drives_used,
         parts[0].motors,
         np.concatenate([part.steps for part in parts if part.steps is not None]),
         parts[0].axes,
@@ -323,38 +326,35 @@ def _at_poses(
         values[name].reshape(len(checked.points), *values[name].shape[len(checked.batch) :])[:, :count]
         for name in fields
     )
-    good = np.asarray((f > 0.0).all(axis=-1) & (zeta < 1.0).all(axis=-1) & np.isfinite(w).all(axis=(-2, -1)))
-    if not good.any():
-        problem = f"expected poses at which the machine can ring, found none among {len(good)}"
+    rings = np.asarray((f > 0.0).all(axis=-1) & (zeta < 1.0).all(axis=-1) & np.isfinite(w).all(axis=(-2, -1)))
+    if not rings.any():
+        problem = f"expected poses at which the machine can ring, found none among {len(rings)}"
         raise PoseError(
             problem, "poses", "give poses in the workspace, at which the modes that count oscillate"
         )
-    points = checked.points[good]
+    points = checked.points[rings]
     sigmas = spread_of(model, points, drives, exact=fixed_paths)
     return Ringing(
         points,
-        f[good],
-        zeta[good],
-        np.linalg.norm(w[good], axis=-1),
-        None if sigmas is None else np.nan_to_num(sigmas[:, :count]) / f[good],
-        int(np.count_nonzero(~good)),
+        f[rings],
+        zeta[rings],
+        np.linalg.norm(w[rings], axis=-1),
+        None if sigmas is None else np.nan_to_num(sigmas[:, :count]) / f[rings],
+        int(np.count_nonzero(~rings)),
         drives=drives,
         motors=motors_in_words(model.robot, drives),
-        steps=w[good],
+        steps=w[rings],
         axes=tuple(component.name for component in model.mechanism.pose)[: w.shape[-1]],
     )
 
 
 def _count(model: Model, modes: int | None, drives: str) -> int:
-    held = model.solved(HELD)
-    if held.rigid_modes:
-        problem = (
-            f"with motors held the machine still has {held.rigid_modes} rigid modes: no shaper cancels these"
-        )
+    if rigid_modes := model.solved(HELD).rigid_modes:
+        problem = f"with motors held the machine still has {rigid_modes} rigid modes: no shaper cancels these"
         raise PkmodesError(problem, model.robot.source, "check the drives of the mechanism")
     available = number_of_modes(model.solved(drives))
     if modes is None:
-        return min(MODES, available)
+        return min(DEFAULT_MODES, available)
     check_argument(modes, POSITIVE_INTEGER, "modes", "for example: 3")
     if modes > available:
         doing = motors_in_words(model.robot, drives)

@@ -20,15 +20,15 @@ from pkmodes.core.model import Model
 from pkmodes.core.support.ordering import joined, listed
 from pkmodes.core.support.progress import say
 from pkmodes.machine.shaping.choice import choose, relative, relative_at_pose, shaped_by
-from pkmodes.machine.shaping.firmware import NAMES
+from pkmodes.machine.shaping.firmware import FIRMWARE_TITLES
 from pkmodes.machine.shaping.results import Choice, Schedule, Step
 from pkmodes.machine.shaping.ringing import Ringing, at_settings
 from pkmodes.machine.shaping.settings import Setting
 from pkmodes.machine.shaping.shapers import Shaper
 
 Array = NDArray[np.float64]
-#: Most settings named in a note.
-NAMED = 4
+#: Maximum number of settings named in a note.
+MAX_SETTINGS_NAMED = 4
 
 
 def _are_heights(value: Any) -> bool:
@@ -42,7 +42,7 @@ HEIGHTS = Constraint("two heights in m, the lower one first", _are_heights)
 def schedule_of(
     model: Model,
     poses: ArrayLike,
-    whole: Choice,
+    overall_choice: Choice,
     kinds: Iterable[str] | None,
     tick: float,
     height: Sequence[float] | None,
@@ -51,48 +51,52 @@ def schedule_of(
     """Choose a fixed shaper for each setting, by the rule of the choice for all of them.
 
     - model: the evaluator of the robot
-    - poses: those of the choice, (..., d)
-    - whole: for all settings
-    - kinds: of the choice
-    - tick: of the choice [s]
+    - poses: poses of the choice, (..., d)
+    - overall_choice: choice for all settings
+    - kinds: kinds of the choice
+    - tick: tick of the choice [s]
     - height: layer heights of the first and of the last value [m], between which the parameter grows evenly
-    - axis: that of the choice, where it is for one of several independent axes
+    - axis: axis of the choice, where it is for one of several independent axes
 
     Raises PkmodesError if no shaper is long or short enough at a setting.
     """
-    at = whole.ringing
-    parameter = varying(at.settings)
+    ringing = overall_choice.ringing
+    parameter = varying(ringing.settings)
     choices = []
-    for i, setting in enumerate(at.settings):
-        say(f"setting {i + 1} of {len(at.settings)}: {setting}")
-        limits: Any = {"left": whole.left, "length": whole.length, "firmware": whole.firmware}
+    for i, setting in enumerate(ringing.settings):
+        say(f"setting {i + 1} of {len(ringing.settings)}: {setting}")
+        limits: Any = {
+            "left": overall_choice.left,
+            "length": overall_choice.length,
+            "firmware": overall_choice.firmware,
+        }
         try:
-            choices.append(choose(at.only(i), kinds, tick=tick, follow=False, **limits))
+            choices.append(choose(ringing.only(i), kinds, tick=tick, follow=False, **limits))
         except PkmodesError as error:
             raise type(error)(f"at {setting}: {error.what}", error.where, error.remedy) from None
     best = [choice.best.shaper for choice in choices]
-    scheduled = each_setting(best, at)
-    serves, ends = _between(model, poses, at, parameter, best, axis)
+    scheduled = each_setting(best, ringing)
+    serves, ends = _between(model, poses, ringing, parameter, best, axis)
     heights = []  # of the layers between which each shaper serves
     if serves and height is not None:
         values, layers = (serves[0][0], serves[-1][1]), tuple(map(float, height))
         heights = [
             (float(np.interp(a, values, layers)), float(np.interp(b, values, layers))) for a, b in serves
         ]
-    fixed = whole.best.shaper
+    fixed_shaper = overall_choice.best.shaper
     steps = [
         Step(
             setting,
             choice,
-            float(shaped_by(fixed, choice.ringing).max() / choice.unshaped.worst),
+            float(shaped_by(fixed_shaper, choice.ringing).max() / choice.unshaped.worst),
             serves[i] if serves else None,
             ends[i] if ends else None,
             heights[i] if heights else None,
         )
-        for i, (setting, choice) in enumerate(zip(at.settings, choices, strict=True))
+        for i, (setting, choice) in enumerate(zip(ringing.settings, choices, strict=True))
     ]
-    shaped = shaped_by(scheduled, at)
-    left, left_at_pose = relative(scheduled, at, shaped), relative_at_pose(scheduled, at, shaped)
+    shaped = shaped_by(scheduled, ringing)
+    left, left_at_pose = relative(scheduled, ringing, shaped), relative_at_pose(scheduled, ringing, shaped)
     return Schedule(tuple(steps), parameter, left, left_at_pose, axis)
 
 
@@ -116,18 +120,18 @@ def check_heights(height: Any, parameter: str | None) -> None:
         raise PkmodesError(problem, "height", "give several values to one parameter, such as a payload")
 
 
-def each_setting(shapers: Sequence[Shaper], at: Ringing) -> Shaper:
+def each_setting(shapers: Sequence[Shaper], ringing: Ringing) -> Shaper:
     """Return the shaper of each operating point, (N, n): shorter ones get impulses of nothing at their end."""
     count = max(shaper.delays.shape[-1] for shaper in shapers)
     padding = [(0, count - shaper.delays.shape[-1]) for shaper in shapers]
     pairs = list(zip(shapers, padding, strict=True))
     amplitudes = np.array([np.pad(shaper.amplitudes, pad) for shaper, pad in pairs])
     delays = np.array([np.pad(shaper.delays, pad, mode="edge") for shaper, pad in pairs])
-    return Shaper(amplitudes[at.setting], delays[at.setting])
+    return Shaper(amplitudes[ringing.setting], delays[ringing.setting])
 
 
 def _between(
-    model: Model, poses: ArrayLike, at: Ringing, parameter: str | None, best: Sequence[Shaper], axis: str
+    model: Model, poses: ArrayLike, ringing: Ringing, parameter: str | None, best: Sequence[Shaper], axis: str
 ) -> tuple[list[tuple[float, float]], list[float]]:
     """Return the values between which each shaper serves, and the most that it leaves halfway to its neighbours.
 
@@ -135,23 +139,25 @@ def _between(
     """
     if parameter is None:
         return [], []
-    values = [setting.values[parameter] for setting in at.settings]
+    values = [setting.values[parameter] for setting in ringing.settings]
     halfway = [0.5 * (low + high) for low, high in pairwise(values)]
-    first = at.settings[0]
-    there = at_settings(
+    first = ringing.settings[0]
+    halfway_ringing = at_settings(
         model,
         poses,
-        at.counted,
+        ringing.counted,
         [Setting({**first.values, parameter: value}, first.units) for value in halfway],
-        at.drives,
+        ringing.drives,
     )
     if axis:
-        there = there.by_axis()[axis]
+        halfway_ringing = halfway_ringing.by_axis()[axis]
     ends = [0.0] * len(values)
     for k in range(len(halfway)):
-        part = there.only(k)
+        setting_ringing = halfway_ringing.only(k)
         for i in (k, k + 1):
-            ends[i] = max(ends[i], float(shaped_by(best[i], part).max() / part.unshaped.max()))
+            ends[i] = max(
+                ends[i], float(shaped_by(best[i], setting_ringing).max() / setting_ringing.unshaped.max())
+            )
     return list(pairwise([values[0], *halfway, values[-1]])), ends
 
 
@@ -159,27 +165,32 @@ def notes_of(schedule: Schedule) -> list[str]:
     """Return notes on the schedule for the reader."""
     notes, limit = [], f"{plain(100 * schedule.steps[0].choice.left, 3)} %"
     poor = [str(step.setting) for step in schedule.steps if not step.good]
-    of = f" of {schedule.axis}" if schedule.axis else ""
+    of_axis = f" of {schedule.axis}" if schedule.axis else ""
     if poor:
         notes.append(
-            f"at {listed(poor, NAMED, '; ')} no fixed shaper{of} leaves at most {limit} of the largest vibration: "
-            "the best one is scheduled"
+            f"at {listed(poor, MAX_SETTINGS_NAMED, '; ')} no fixed shaper{of_axis} leaves at most {limit} of the "
+            "largest vibration: the best one is scheduled"
         )
     ends = max((step.at_ends for step in schedule.steps if step.at_ends is not None), default=0.0)
     if ends > max(schedule.steps[0].choice.left, *(step.best.left.worst for step in schedule.steps)):
         notes.append(
-            f"halfway between two settings the schedule{of} leaves up to {plain(100 * ends, 2)} %: give more values"
+            f"halfway between two settings the schedule{of_axis} leaves up to {plain(100 * ends, 2)} %: "
+            "give more values"
         )
-    shapers = {NAMES[name]: schedule.shapers_in(name) for name in NAMES}
-    if schedule.axis and (none := [title for title, kinds in shapers.items() if kinds is None]):
-        notes.append(f"no schedule{of} for {joined(none)}: it has no shaper for {schedule.axis} by itself")
-    lacking = [
-        title for name, title in NAMES.items() if shapers[title] is not None and schedule.differs_in(name)
-    ]
-    if lacking and schedule.steps[0].choice.firmware is None:
+    shapers = {FIRMWARE_TITLES[name]: schedule.shapers_in(name) for name in FIRMWARE_TITLES}
+    if schedule.axis and (unserved := [title for title, kinds in shapers.items() if kinds is None]):
         notes.append(
-            f"{joined(lacking)} lack{'s' if len(lacking) == 1 else ''} a shaper of the schedule{of}: lines have the "
-            "best shapers that there are instead; --firmware NAME schedules only shapers that this firmware has"
+            f"no schedule{of_axis} for {joined(unserved)}: it has no shaper for {schedule.axis} by itself"
+        )
+    titles = [
+        title
+        for name, title in FIRMWARE_TITLES.items()
+        if shapers[title] is not None and schedule.differs_in(name)
+    ]
+    if titles and schedule.steps[0].choice.firmware is None:
+        notes.append(
+            f"{joined(titles)} lack{'s' if len(titles) == 1 else ''} a shaper of the schedule{of_axis}: lines have "
+            "the best shapers that there are instead; --firmware NAME schedules only shapers that this firmware has"
         )
     if schedule.steps[0].heights is not None:
         notes.append(

@@ -46,7 +46,7 @@ def shaper(kind: str, frequencies: ArrayLike, damping_ratios: ArrayLike) -> Shap
     frequencies : array_like, shape (...); (..., k) for a product of k factors
         Undamped natural frequencies [Hz].  Factor j of a product is for the mode at index j of the last axis.
     damping_ratios : array_like
-        In [0, 1) [-].  It is broadcast with the frequencies.
+        Damping ratios in [0, 1) [-].  They are broadcast with the frequencies.
 
     Returns
     -------

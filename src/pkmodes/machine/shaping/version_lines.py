@@ -11,15 +11,22 @@ from msgspec import Meta
 from pkmodes.core.support.documents import Document, Size
 from pkmodes.core.support.ordering import joined
 from pkmodes.machine.shaping.choice import relative, relative_at_pose, shaped_by
-from pkmodes.machine.shaping.firmware import AXES, NAMES, VERSIONS, ratio_in_use, setting, version_name
-from pkmodes.machine.shaping.firmware_impulses import as_made
+from pkmodes.machine.shaping.firmware import (
+    AXES,
+    FIRMWARE_TITLES,
+    VERSIONS,
+    configuration_lines,
+    ratio_in_use,
+    version_name,
+)
+from pkmodes.machine.shaping.firmware_impulses import firmware_shaper
 from pkmodes.machine.shaping.results import Candidate, Choice, Schedule, shapers_in
 from pkmodes.machine.shaping.ringing import Ringing
 from pkmodes.machine.shaping.schedule import each_setting
 from pkmodes.machine.shaping.shapers import Shaper
 
 #: Decimals of amplitudes and delays [s] to which impulses are compared.
-DIGITS = 9
+IMPULSE_DECIMALS = 9
 
 
 class VersionLines(Document, frozen=True):
@@ -68,7 +75,7 @@ def lines_by_version(choice: Choice) -> list[VersionLines]:
     those of the best shaper for all of them.
     """
 
-    def written(version: str, name: str) -> VersionLines:
+    def lines_of_version(version: str, name: str) -> VersionLines:
         shapers = recommended_in(version, choice)
         firmware = VERSIONS[version].firmware
         if not shapers:
@@ -91,13 +98,13 @@ def lines_by_version(choice: Choice) -> list[VersionLines]:
         shapers = recommended_in(version, choice)
         return _lines(version, shapers), *(_key(made_by(version, shaper)) for shaper in shapers.values())
 
-    return _grouped(key, written)
+    return _grouped(key, lines_of_version)
 
 
 def current_lines(choice: Choice) -> dict[str, str | None]:
     """Return the lines of the recommended shapers for the current version by firmware; None where it lacks one."""
     lines = {}
-    for name in NAMES:
+    for name in FIRMWARE_TITLES:
         shapers = recommended_in(name, choice)
         lines[name] = None if _differ(shapers, choice) else _lines(name, shapers)
     return lines
@@ -129,25 +136,27 @@ def shapers_in_words(shapers: Mapping[str, Candidate]) -> str:
 
 def _lines(version: str, shapers: Mapping[str, Candidate]) -> str | None:
     """Return the lines of shapers by axis, with one header."""
-    texts = [setting(version, *shaper.design, axis or AXES) or "" for axis, shaper in shapers.items()]
+    texts = [
+        configuration_lines(version, *shaper.design, axis or AXES) or "" for axis, shaper in shapers.items()
+    ]
     return "\n".join(dict.fromkeys("\n".join(texts).splitlines())) or None
 
 
 def schedule_lines_by_version(choice: Choice, schedule: Schedule) -> list[VersionLines]:
     """Return the commands of a schedule in the same way; the remaining vibration is that over all settings."""
-    at = choice.ringing
+    ringing = choice.ringing
 
-    def written(version: str, name: str) -> VersionLines:
+    def lines_of_version(version: str, name: str) -> VersionLines:
         firmware, shapers = VERSIONS[version].firmware, schedule.shapers_in(version)
         if shapers is None:
             return VersionLines(firmware, version, name, None, None, None, None, instead=False)
-        made = each_setting([made_by(version, candidate) for candidate in shapers], at)
+        made = each_setting([made_by(version, candidate) for candidate in shapers], ringing)
         return VersionLines(
             firmware,
             version,
             name,
             schedule.commands(version),
-            *_worst(made, at),
+            *_worst(made, ringing),
             joined(list(dict.fromkeys(shaper.kind for shaper in shapers))),
             instead=schedule.differs_in(version),
         )
@@ -157,7 +166,7 @@ def schedule_lines_by_version(choice: Choice, schedule: Schedule) -> list[Versio
             schedule.commands(version),
             *(_key(made_by(version, candidate)) for candidate in schedule.shapers_in(version) or ()),
         ),
-        written,
+        lines_of_version,
     )
 
 
@@ -166,26 +175,26 @@ def made_by(version: str, candidate: Candidate) -> Shaper:
     if len(candidate.frequencies) > 1:
         return candidate.shaper
     zeta = ratio_in_use(version, candidate.kind, candidate.damping_ratio)
-    return as_made(version, candidate.kind, candidate.frequencies[0], zeta)
+    return firmware_shaper(version, candidate.kind, candidate.frequencies[0], zeta)
 
 
-def _worst(made: Shaper, at: Ringing) -> tuple[float, float]:
+def _worst(shaper: Shaper, ringing: Ringing) -> tuple[float, float]:
     """Return the most that impulses leave, of the largest vibration, and of that at the same pose."""
-    shaped = shaped_by(made, at)
-    return relative(made, at, shaped).worst, relative_at_pose(made, at, shaped).worst
+    shaped = shaped_by(shaper, ringing)
+    return relative(shaper, ringing, shaped).worst, relative_at_pose(shaper, ringing, shaped).worst
 
 
 def _key(shaper: Shaper) -> Hashable:
     """Return a key by which impulses are compared."""
-    return tuple(map(float, np.round(np.concatenate(shaper), DIGITS)))
+    return tuple(map(float, np.round(np.concatenate(shaper), IMPULSE_DECIMALS)))
 
 
 def _grouped(
-    key: Callable[[str], Hashable], written: Callable[[str, str], VersionLines]
+    key: Callable[[str], Hashable], make_lines: Callable[[str, str], VersionLines]
 ) -> list[VersionLines]:
     """Return the lines of successive versions of a firmware with the same key."""
     version_lines = []
-    for firmware in NAMES:
+    for firmware in FIRMWARE_TITLES:
         versions = [version for version, release in VERSIONS.items() if release.firmware == firmware]
         groups: list[list[str]] = []
         for version in versions:
@@ -193,5 +202,5 @@ def _grouped(
                 groups[-1].append(version)
             else:
                 groups.append([version])
-        version_lines += [written(group[0], version_name(group[0], group[-1])) for group in groups]
+        version_lines += [make_lines(group[0], version_name(group[0], group[-1])) for group in groups]
     return version_lines

@@ -79,8 +79,8 @@ def _mean_mode(modes: Sequence[ModeEstimate], shape: dict[str, complex]) -> Mode
 
     damping_ratios = [mode.damping for mode in modes if np.isfinite(mode.damping)]
     order_counts = [mode.found_in for mode in modes if mode.found_in is not None]
-    participation, size_sigma = _mean_participations(modes, shape)
-    fit_sigma = pooled([mode.sigma_size for mode in modes])
+    participation, scale_sigma = _mean_participations(modes, shape)
+    fit_sigma = pooled([mode.sigma_scale for mode in modes])
     return ModeEstimate(
         float(np.mean([mode.frequency for mode in modes])),
         float(np.mean(damping_ratios)) if damping_ratios else np.nan,
@@ -94,7 +94,7 @@ def _mean_mode(modes: Sequence[ModeEstimate], shape: dict[str, complex]) -> Mode
         resolution=max(mode.resolution for mode in modes),
         shift=largest_shift([mode.shift for mode in modes]),
         participation=participation,
-        sigma_size=max((sigma for sigma in (fit_sigma, size_sigma) if np.isfinite(sigma)), default=np.nan),
+        sigma_scale=max((sigma for sigma in (fit_sigma, scale_sigma) if np.isfinite(sigma)), default=np.nan),
         lengths=modes[0].lengths,
     )
 
@@ -102,13 +102,13 @@ def _mean_mode(modes: Sequence[ModeEstimate], shape: dict[str, complex]) -> Mode
 def _mean_participations(
     modes: Sequence[ModeEstimate], shape: Mapping[str, complex]
 ) -> tuple[dict[str, complex], float]:
-    """Return the mean participations that match the mean shape, and the relative standard deviation of their size."""
+    """Return the mean participations that match the mean shape, and the relative standard deviation of the scale."""
     participations: dict[str, list[complex]] = {}
     for mode in modes:
         common = [name for name in mode.shape if name in shape]
         repeat, mean = (np.array([components[name] for name in common]) for components in (mode.shape, shape))
-        size = float(np.vdot(mean, mean).real)
-        scale = complex(np.vdot(mean, repeat) / size) if size > 0.0 else complex(np.nan)
+        squared_norm = float(np.vdot(mean, mean).real)
+        scale = complex(np.vdot(mean, repeat) / squared_norm) if squared_norm > 0.0 else complex(np.nan)
         for name, value in mode.participation.items():
             participations.setdefault(name, []).append(scale * value)
     means = {name: complex(np.mean(values)) for name, values in participations.items()}
@@ -191,8 +191,10 @@ def mean_shape(shapes: Sequence[Mapping[str, complex]]) -> tuple[dict[str, compl
 def _fit_scale(row: Complex, mean: Complex) -> complex:
     """Return the factor that makes a shape most like the mean, NaN if they have no component in common."""
     common = np.isfinite(row) & np.isfinite(mean)
-    size = float(np.vdot(row[common], row[common]).real)
-    return complex(np.vdot(row[common], mean[common]) / size) if size > 0.0 else complex(np.nan)
+    squared_norm = float(np.vdot(row[common], row[common]).real)
+    if squared_norm <= 0.0:
+        return complex(np.nan)
+    return complex(np.vdot(row[common], mean[common]) / squared_norm)
 
 
 def _component_variance(residuals: Complex) -> float:

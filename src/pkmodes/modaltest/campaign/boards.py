@@ -98,7 +98,7 @@ class UnknownOffsetError(Exception):
 class Board:
     """The signals of a board.
 
-    - file: for messages
+    - file: name of the file, for messages
     - step: between samples [s]
     - starts: time of the first sample of each piece [s]
     - pieces: each (n_i, S)
@@ -139,7 +139,7 @@ class AlignedBoards:
 
     - step: [s]
     - starts: [s]
-    - pieces: of all boards, in their order, each (n_i, S)
+    - pieces: pieces of all boards, in their order, each (n_i, S)
     - delays: delay added to the times of each board except the first, by setup
     """
 

@@ -101,7 +101,9 @@ def _explained_by_modes(functions: Sequence[Function], band: tuple[float, float]
     norms = np.linalg.norm(values[in_band], axis=0)
     usable = np.isfinite(norms) & (norms > 0.0)
     try:
-        estimate = identify_frf(f, (values[:, usable] / norms[usable])[..., None], band=band, power=2)
+        estimate = identify_frf(
+            f, (values[:, usable] / norms[usable])[..., None], band=band, derivative_order=2
+        )
     except MeasurementError:  # too few lines or functions
         return False
     if not estimate.modes:
@@ -121,7 +123,7 @@ def _threshold(lines: int) -> float:
 
 
 def _energy_share_before(frequencies: Array, values: Complex, band: tuple[float, float]) -> float:
-    """Return the share of an impulse response's energy that lies before its blow; 0.5 if it cannot be told."""
+    """Return the share of an impulse response's energy that lies before its blow; 0.5 if undetermined."""
     in_band = (frequencies >= band[0]) & (frequencies <= band[1])
     f, H = frequencies[in_band], values[in_band]
     spacings = np.diff(f)
@@ -132,6 +134,10 @@ def _energy_share_before(frequencies: Array, values: Complex, band: tuple[float,
     ):
         return 0.5
     h = np.abs(np.fft.ifft(np.hanning(len(H)) * H / max(np.abs(H).max(), 1e-300))) ** 2
-    half = len(h) // 2
-    late, early = h[GUARD_SAMPLES + 1 : half].sum(), h[len(h) - half + 1 : len(h) - GUARD_SAMPLES].sum()
-    return float(early / (early + late)) if early + late > 0.0 else 0.5
+    half_length = len(h) // 2
+    energy_after, energy_before = (
+        h[GUARD_SAMPLES + 1 : half_length].sum(),
+        h[len(h) - half_length + 1 : len(h) - GUARD_SAMPLES].sum(),
+    )
+    energy = energy_before + energy_after
+    return float(energy_before / energy) if energy > 0.0 else 0.5

@@ -49,7 +49,7 @@ class Responses:
     - frequencies: (F,) [Hz]
     - values: accelerations in SI units per force, (F, S, R); NaN where not measured
     - coherence: (F, S, R)
-    - names: of the S places in the shape
+    - names: names of the S places in the shape
     - dead: sensors without a signal
     - references: names of the R references
     - messages: what is left out of the shapes
@@ -156,10 +156,10 @@ def fit_responses(responses: Responses, averages: int | None, record: Record, ca
         responses.frequencies,
         responses.values,
         band=record.band,
-        power=ACCELERATION,
+        derivative_order=ACCELERATION,
         coherence=responses.coherence,
         averages=averages,
-        exponential=record.exponential,
+        window_time_constant=record.exponential,
         tones=campaign.tones,
         edits=campaign.edits_of(record),
     )

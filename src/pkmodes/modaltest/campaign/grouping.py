@@ -23,7 +23,8 @@ from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate, mac
 MAX_FREQUENCY_DIFFERENCE = 0.01
 #: The same between setups or visits, over which a machine runs longer.
 MAX_VISIT_DIFFERENCE = 0.03
-#: Fewest modes that shift together; and most pairs of modes among which such a shift is looked for.
+#: Minimum number of modes that shift together; maximum number of pairs of modes among which such a shift is looked
+#: for.
 MIN_SHIFTED_MODES, MAX_PAIRS = 2, 1_000_000
 #: Smallest MAC between two shapes of one mode.
 MIN_MAC = 0.5

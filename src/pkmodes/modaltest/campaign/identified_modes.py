@@ -29,8 +29,8 @@ from pkmodes.modaltest.campaign.shapes import UNDETERMINED, blank_messages, comb
 from pkmodes.modaltest.signals.reading import HEAD_SIZE, read_signals
 from pkmodes.modaltest.signals.universal_file import UNIVERSAL_FILE
 
-#: Most modes of one file within the width in which modes of two files may be the same: far more than any test can
-#: resolve, and few enough to compare all pairs in seconds.
+#: Maximum number of modes of one file within the width in which modes of two files may be the same: far more than any
+#: test can resolve, and few enough to compare all pairs in seconds.
 MAX_MODES_NEARBY = 200
 #: Numeric columns, with the kind of their units.
 NUMERIC_COLUMNS = {"frequency": "Hz", "sigma": "Hz", "damping": "1", "sigma_damping": "1", "sigma_shape": "1"}

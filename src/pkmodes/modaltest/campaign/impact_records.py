@@ -1,7 +1,7 @@
-"""Records of hammer blows in time: the functions of a file, or of all points over which a hammer roved.
+"""Impact tests in time: fitting one file, or jointly the files of all points hit with a roving hammer.
 
 When the hammer roves and the sensors stay in place, the points hit become the shape's degrees of freedom and the
-sensors its references.  Their functions, though measured one after the other, are those of one structure, and are
+sensors its references.  The functions, though measured one after the other, are those of one structure, and are
 fitted together.
 """
 
@@ -38,64 +38,80 @@ from pkmodes.modaltest.identification.estimates import Mode
 from pkmodes.modaltest.identification.frf_estimates import (
     ImpactEstimate,
     impact_estimate,
-    shortest_blow_length,
+    shortest_decay_length,
 )
 from pkmodes.modaltest.signals.functions import MAX_NAMES
 from pkmodes.modaltest.signals.reading import read_signals
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Shortest record of blows, in periods of the lower end of the band.
+#: Minimum length of a record of impacts, in periods of the lower end of the band.
 MIN_RECORD_PERIODS = 2.0
 #: Largest relative difference between the rates of two files that counts as rounding.
-ROUNDING = 1e-9
+RATE_TOLERANCE = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class _Blows:
-    """The signals of a file of blows, and the campaign's force that acts in it; None if the campaign has none."""
+class _ImpactSignals:
+    """The signals of one file of impacts, and the force of the campaign that acts in it.
+
+    - force: None if the campaign declares no forces
+    """
 
     signals: TimeSignals
     force: Transducer | None
 
 
 def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
-    """Return the modes of the blows in a file, their shapes by sensor, or by force where the hammer roved.
+    """Return the modes of the impacts in a file, their shapes by sensor, or by force where a roving hammer was used.
 
-    Raises MeasurementError if the file is faulty, has no force, or has fewer blows than the campaign states.
+    Raises MeasurementError if the file is faulty, has no force, or has fewer impacts than the campaign states.
     """
-    blows = _read_blows(path, record, setup, campaign)
-    names = () if blows.force is None else (blows.force.name,)
-    file_modes = _modes([blows], names, record, campaign, blows.signals.source)
-    unnamed = (blows.signals.force,) if not names and blows.signals.force not in NAMELESS else ()
-    names_in_file = blows.signals.names_in_file | set(map(without_sign, names))
-    return replace(file_modes, names_in_file=names_in_file, unnamed=unnamed, forces=names)
+    impacts = _read_impact_signals(path, record, setup, campaign)
+    force_names = () if impacts.force is None else (impacts.force.name,)
+    file_modes = _modes([impacts], force_names, record, campaign, impacts.signals.source)
+    undeclared_forces = (
+        (impacts.signals.force,) if not force_names and impacts.signals.force not in NAMELESS else ()
+    )
+    names_in_file = impacts.signals.names_in_file | set(map(without_sign, force_names))
+    return replace(file_modes, names_in_file=names_in_file, unnamed=undeclared_forces, forces=force_names)
 
 
 def roving_modes(points: Mapping[str, RovingPoint], record: Record, campaign: Campaign) -> FileModes:
-    """Return the modes of the blows at all points of a hammer that roved, their shapes by the keys of the forces.
+    """Return the modes of the points hit with a roving hammer, their shapes by the keys of the forces.
 
-    - points: a file of each setup, each with a force of the campaign
+    - points: file of each setup, with a force of the campaign
 
-    Raises MeasurementError if a file is faulty, or they differ in their sensors or rates.
+    Raises MeasurementError if a file is faulty, or the files differ in their sensors or rates.
     """
-    files = [_read_blows(point.path, record, setup, campaign) for setup, point in points.items()]
-    first = files[0].signals
-    for signals in (file.signals for file in files):
-        if signals.names_in_file != first.names_in_file or abs(signals.step / first.step - 1.0) > ROUNDING:
+    impact_files = [
+        _read_impact_signals(point.path, record, setup, campaign) for setup, point in points.items()
+    ]
+    first = impact_files[0].signals
+    for signals in (impact_file.signals for impact_file in impact_files):
+        if (
+            signals.names_in_file != first.names_in_file
+            or abs(signals.step / first.step - 1.0) > RATE_TOLERANCE
+        ):
             problem = f"expected the sensors and the rate of {first.source}"
             raise MeasurementError(problem, signals.source, "measure all points alike")
-    names = [name for name in first.names if all(name in file.signals.names for file in files)]
-    if not names:
-        problem = "expected a sensor that is not silent at any point that was hit, found none"
+    sensor_names = [
+        sensor_name
+        for sensor_name in first.names
+        if all(sensor_name in impact_file.signals.names for impact_file in impact_files)
+    ]
+    if not sensor_names:
+        problem = "expected a sensor with a signal at every point that was hit, found none"
         raise MeasurementError(problem, record.pose, "check the sensors and their cables")
-    files = [replace(file, signals=file.signals.select(names)) for file in files]
-    force_keys = [file.force.key for file in files if file.force is not None]
-    return _modes(files, force_keys, record, campaign, record.pose, list(points.values()))
+    impact_files = [
+        replace(impact_file, signals=impact_file.signals.select(sensor_names)) for impact_file in impact_files
+    ]
+    force_keys = [impact_file.force.key for impact_file in impact_files if impact_file.force is not None]
+    return _modes(impact_files, force_keys, record, campaign, record.pose, list(points.values()))
 
 
-def _read_blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _Blows:
-    """Read a file of blows.
+def _read_impact_signals(path: Path, record: Record, setup: str, campaign: Campaign) -> _ImpactSignals:
+    """Read a file of impacts.
 
     Raises MeasurementError if it is faulty, or its force is none of the campaign's, or could be any of several.
     """
@@ -105,7 +121,7 @@ def _read_blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _
         names = list(dict.fromkeys(function.response for function in functions))
         signal_names = listed([*map(shown, names)], MAX_NAMES)
         remedy = f'state in the record which of {signal_names} it is, names = {{ force = "NAME" }}'
-        remedy += ", or give its type in a universal file; without a force the kind is ambient"
+        remedy += ', or give its type in a universal file; or, if no force was measured, set kind = "ambient"'
         raise MeasurementError("expected a force, found none", signals.source, remedy)
     if len(signals.pieces) > 1:
         problem = f"expected one piece of even sampling, found {len(signals.pieces)}"
@@ -120,51 +136,92 @@ def _read_blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _
         raise MeasurementError(problem, signals.source, "measure longer, or narrow the band")
     forces = campaign.forces_in(setup)
     if not forces:
-        return _Blows(signals, None)
+        return _ImpactSignals(signals, None)
     force = force_of_reference(signals.force, forces)
     if force is None:
         expected = ", ".join(map(shown, forces))
         problem = f"expected a force of the campaign, {expected}, found {shown(signals.force)}"
         remedy = 'name each [[force]] as in the files; where these say only "force", give each its setup'
         raise MeasurementError(problem, signals.source, remedy)
-    return _Blows(signals, force)
+    return _ImpactSignals(signals, force)
 
 
 def _modes(
-    files: Sequence[_Blows],
-    forces: Sequence[str],
+    impact_files: Sequence[_ImpactSignals],
+    force_keys: Sequence[str],
     record: Record,
     campaign: Campaign,
     source: str,
     points: Sequence[RovingPoint] = (),
 ) -> FileModes:
-    """Return the modes of files of blows, with shapes at the named forces, or else at the sensors."""
-    recordings = [file.signals for file in files]
+    """Return the modes of files of impacts, with shapes at the named forces, or else at the sensors."""
+    recordings = [impact_file.signals for impact_file in impact_files]
     fit, bridge_messages = fit_with_bridges(
-        lambda bridged: _fit(bridged, forces, record, campaign, source, points), recordings, source
+        lambda recordings_with_bridged_gaps: _fit(
+            recordings_with_bridged_gaps, force_keys, record, campaign, source, points
+        ),
+        recordings,
+        source,
     )
     messages = (*(message for recording in recordings for message in recording.messages), *bridge_messages)
-    joint = replace(
+    all_signals = replace(
         recordings[0], pieces=tuple(piece for recording in recordings for piece in recording.pieces)
     )
-    return modes_with_levels(fit, messages, joint, record.exponential)
+    return modes_with_levels(fit, messages, all_signals, record.exponential)
 
 
 def _fit(
     recordings: Sequence[TimeSignals],
-    forces: Sequence[str],
+    force_keys: Sequence[str],
     record: Record,
     campaign: Campaign,
     source: str,
     points: Sequence[RovingPoint],
 ) -> tuple[FileFit, tuple[str, ...]]:
-    """Return the fit of files of blows, and messages about it."""
-    hits, step, sensors = record.hits, recordings[0].step, recordings[0].names
-    messages = list[str]()
-    lengths, values, estimates = list[int](), list[Complex](), list[ImpactEstimate]()
+    """Return the fit of files of impacts, and messages about it."""
+    estimates, messages = _estimate_responses(recordings, record)
+    last_estimate = estimates[-1]  # all have the same lines and averages
+    f, record_length = last_estimate.frequencies, float(1.0 / last_estimate.frequencies[1])
+    known_coherences = [estimate.coherence for estimate in estimates if estimate.coherence is not None]
+    coherence = np.concatenate(known_coherences, axis=2) if len(known_coherences) == len(recordings) else None
+    sensors = recordings[0].names
+    reference = recordings[0].force if len(recordings) == 1 else ""
+    H = np.concatenate([estimate.H for estimate in estimates], axis=2)
+    responses = Responses(f, H, coherence, sensors, (), (reference,))
+    if force_keys:
+        responses = responses.as_roving(range(len(force_keys)), force_keys)
+    if points:
+        corrections = [
+            point.correction(f, [force_key], sensors, record.exponential, record_length)
+            for point, force_key in zip(points, force_keys, strict=True)
+        ]
+        responses = replace(responses, values=responses.values + np.concatenate(corrections, axis=1))
+    with errors_in_file(source):
+        fit = fit_responses(responses, last_estimate.averages, record, campaign)
+    messages += fit_remarks(fit, source)
+    largest_scale_sigma = max(estimate.sigma_scale for estimate in estimates)
+
+    def complete(mode: Mode) -> Mode:
+        mode = _to_full_decay(mode, record.exponential, record_length)
+        # The functions of a file share a relative scale error, which affects one shape component if each file is one
+        # point, and all components if there is one file.
+        if len(recordings) > 1:
+            return replace(mode, sigma_shape=float(np.hypot(mode.sigma_shape, largest_scale_sigma)))
+        return replace(mode, sigma_scale=float(np.hypot(mode.sigma_scale, largest_scale_sigma)))
+
+    return replace(fit, estimate=fit.estimate.map_modes(complete)), tuple(messages)
+
+
+def _estimate_responses(
+    recordings: Sequence[TimeSignals], record: Record
+) -> tuple[list[ImpactEstimate], list[str]]:
+    """Return the frequency responses of each recording, as accelerations at the same lines, and messages."""
+    step, hits = recordings[0].step, record.hits
+    lengths = list[int]()
     for recording in recordings:
         with errors_in_file(recording.source):
-            lengths.append(shortest_blow_length(step, recording.forces[0], hits))
+            lengths.append(shortest_decay_length(step, recording.forces[0], hits))
+    estimates, messages = list[ImpactEstimate](), list[str]()
     for recording in recordings:
         with errors_in_file(recording.source):
             estimate = impact_estimate(
@@ -172,40 +229,17 @@ def _fit(
                 recording.forces[0],
                 recording.pieces[0],
                 hits=hits,
-                exponential=record.exponential,
+                window_time_constant=record.exponential,
                 max_length=min(lengths),
             )
         messages += [f"{recording.source}: {message}" for message in estimate.messages]
-        values.append(estimate.H * recording.as_accelerations(2j * np.pi * estimate.frequencies)[:, :, None])
-        estimates.append(estimate)
-    last_estimate = estimates[-1]  # all have the same lines and averages
-    f, record_length = last_estimate.frequencies, float(1.0 / last_estimate.frequencies[1])
-    known_coherences = [estimate.coherence for estimate in estimates if estimate.coherence is not None]
-    coherence = np.concatenate(known_coherences, axis=2) if len(known_coherences) == len(recordings) else None
-    size_sigmas = [estimate.sigma_size for estimate in estimates]
-    reference = recordings[0].force if len(recordings) == 1 else ""
-    responses = Responses(f, np.concatenate(values, axis=2), coherence, sensors, (), (reference,))
-    if forces:
-        responses = responses.as_roving(range(len(forces)), forces)
-    if points:
-        changes = [
-            point.correction(f, [force], sensors, record.exponential, record_length)
-            for point, force in zip(points, forces, strict=True)
-        ]
-        responses = replace(responses, values=responses.values + np.concatenate(changes, axis=1))
-    with errors_in_file(source):
-        fit = fit_responses(responses, last_estimate.averages, record, campaign)
-    messages += fit_remarks(fit, source)
+        factors = recording.as_accelerations(2j * np.pi * estimate.frequencies)
+        estimates.append(replace(estimate, H=estimate.H * factors[:, :, None]))
+    return estimates, messages
 
-    def to_full_decay(mode: Mode) -> Mode:
-        # The record of a blow cuts off the decays; participations are those of complete ones.
-        pole = mode.pole - (1.0 / record.exponential if record.exponential else 0.0)
-        full_participation = np.asarray(mode.participation) / (1.0 - np.exp(pole * record_length))
-        mode = replace(mode, participation=full_participation)
-        # The functions of a file share a relative scale error, common to one shape component (several files) or
-        # all (one file).
-        if len(recordings) > 1:
-            return replace(mode, sigma_shape=float(np.hypot(mode.sigma_shape, max(size_sigmas))))
-        return replace(mode, sigma_size=float(np.hypot(mode.sigma_size, max(size_sigmas))))
 
-    return replace(fit, estimate=fit.estimate.map_modes(to_full_decay)), tuple(messages)
+def _to_full_decay(mode: Mode, window_time_constant: float | None, record_length: float) -> Mode:
+    """Return a mode with the participations of complete decays: the record ends before the decays do."""
+    pole = mode.pole - (1.0 / window_time_constant if window_time_constant else 0.0)
+    full_participation = np.asarray(mode.participation) / (1.0 - np.exp(pole * record_length))
+    return replace(mode, participation=full_participation)

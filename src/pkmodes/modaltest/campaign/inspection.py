@@ -16,7 +16,7 @@ from pkmodes.modaltest.identification.estimates import Stabilisation
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Most functions of a file that are drawn.
+#: Maximum number of functions of a file that are drawn.
 MAX_CURVES = 4
 #: Parts of the band; the lines with the lowest and the highest value of each are drawn.
 BAND_PARTS = 180
@@ -47,7 +47,7 @@ class Inspection:
       name, and no setup.
     - others: number of further files of the setup, or of each setup, that are not drawn
     - frequencies, total: sum of the magnitudes of all measured functions, each relative to its rms, (f,)
-    - curves: those that show the modes best; each mode appears in at least one of them as far as there is room
+    - curves: functions that show the modes best; each mode appears in at least one of them as far as there is room
     - functions: number of functions from which they were chosen
     - tones: lines without bandwidth that were found [Hz]
     """
@@ -68,7 +68,7 @@ class Repeats:
     """The frequencies of the modes of a setup, file by file.
 
     - files: names of the files that were read, without their folders
-    - modes: for each mode its frequency [Hz] by the index of the file
+    - modes: for each mode, its frequency [Hz] by the index of the file
     """
 
     setup: str

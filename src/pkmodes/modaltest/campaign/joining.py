@@ -84,7 +84,7 @@ def _join_mode(
         [mode.sigma_damping for mode in members],
         [mode.damping_scatter * mode.damping for mode in members],
     )
-    joined_shape, unlinked, size_sigmas = _join_by_reference([mode for mode in members if mode.shape])
+    joined_shape, unlinked, scale_sigmas = _join_by_reference([mode for mode in members if mode.shape])
     linked = [mode.shape for mode in unlinked if mode.shape.keys() & joined_shape.keys()]
     sigmas = [mode.sigma_shape for mode in members if np.isfinite(mode.sigma_shape)]
     joint = ModeEstimate(
@@ -93,7 +93,7 @@ def _join_mode(
         mean_shape([joined_shape, *linked])[0] if joined_shape else {},
         sigma,
         sigma_damping,
-        sigma_shape=float(np.hypot(max(sigmas, default=np.nan), max(size_sigmas, default=0.0))),
+        sigma_shape=float(np.hypot(max(sigmas, default=np.nan), max(scale_sigmas, default=0.0))),
         found_in=min(
             (mode.found_in for mode in members if mode.found_in),
             key=lambda counts: counts[0] / counts[1],
@@ -120,7 +120,7 @@ def _join_by_reference(
 
     Returns, in this order:
     - shape
-    - unlinked: those that are not part of it
+    - unlinked: modes that are not part of it
     - sigmas: relative standard deviations of the sizes of the parts; empty for a single part
     """
     if not modes:
@@ -140,7 +140,7 @@ def _join_by_reference(
             continue
         factor = np.vdot(base_participation, member_participation) / size
         shape |= {name: complex(value * factor) for name, value in mode.shape.items()}
-        sigmas += [float(member.sigma_size) for member in (mode, base) if np.isfinite(member.sigma_size)]
+        sigmas += [float(member.sigma_scale) for member in (mode, base) if np.isfinite(member.sigma_scale)]
     return shape, unlinked, sigmas
 
 

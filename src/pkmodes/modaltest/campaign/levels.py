@@ -22,7 +22,7 @@ from pkmodes.modaltest.identification.level import FALSE_ALARM, MIN_CHANGE, Leve
 
 Array = NDArray[np.float64]
 
-#: Fewest files for a regression.
+#: Minimum number of files for a regression.
 MIN_FILES = 3
 #: Weight of the pooled scatter against that of a single mode, in degrees of freedom: the value of Smyth (see
 #: `averaging`) for similar variances.

@@ -25,7 +25,7 @@ from pkmodes.modaltest.campaign.roving import RovingPoint, estimate_change, matc
 from pkmodes.modaltest.campaign.roving_functions import SeparateFitError
 from pkmodes.modaltest.identification.requested_modes import SAME_MODE_TOLERANCE
 
-#: Least share of the repeats in which a mode must be found.
+#: Minimum share of the repeats in which a mode must be found.
 MIN_REPEAT_SHARE = 0.5
 
 
@@ -34,7 +34,7 @@ class MeasuredRecord:
     """The modes of a record over its repeats and setups, before they are edited.
 
     - modes, added: the modes found, and those that the user adds, in the order of the requested frequencies
-    - inspections: of the first file of each setup, if requested
+    - inspections: inspections of the first file of each setup, if requested
     - presence: the files of each setup, each with whether it has the sensors and forces that it should have
     - log: messages about the record; each step writes to it
     """

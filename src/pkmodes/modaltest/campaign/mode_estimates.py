@@ -30,10 +30,10 @@ class ModeEstimate:
     - sigma_shape: likewise for a component of the shape, relative to the largest one; NaN where unknown
     - found_in: number of model orders in which it was found, and their total
     - resolution: spacing below which the file does not resolve two modes [Hz]
-    - level: of its vibration in the file; NaN where unknown
+    - level: level of its vibration in the file; NaN where unknown
     - shift: how the frequency changes with the level within the file; over several files, the largest change
     - participation: by named reference: its product with the shape is the residue, an acceleration per force
-    - sigma_size: standard deviation of the largest residue, relative; NaN where unknown
+    - sigma_scale: standard deviation of the largest residue, relative; NaN where unknown
     - scatter: standard deviation of the mean frequency from the scatter of the repeats, relative; NaN for a single
       one
     - damping_scatter: likewise of the damping ratio, relative
@@ -56,7 +56,7 @@ class ModeEstimate:
     level: float = np.nan
     shift: LevelShift | None = None
     participation: Mapping[str, complex] = field(default_factory=dict)
-    sigma_size: float = np.nan
+    sigma_scale: float = np.nan
     scatter: float = np.nan
     damping_scatter: float = np.nan
     shape_scatter: float = np.nan
@@ -156,7 +156,7 @@ def to_mode_estimate(mode: Mode, names: Sequence[str], references: Sequence[str]
         mode.sigma_shape,
         mode.found_in,
         participation={name: complex(value) for name, value in pairs if name not in NAMELESS},
-        sigma_size=mode.sigma_size,
+        sigma_scale=mode.sigma_scale,
     )
 
 

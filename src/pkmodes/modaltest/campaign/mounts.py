@@ -1,4 +1,4 @@
-"""Sensors and blows on a turning platform: how each responds to the platform's motion.
+"""Sensors and forces on a turning platform: how a sensor reads its motion, and how a force acts on it.
 
 At a pose with the rotation R, a sensor at the point b of the platform and along the unit vector d of the base reads
 
@@ -32,7 +32,7 @@ ORIGIN = (0.0, 0.0, 0.0)
 
 @dataclass(frozen=True)
 class Platform:
-    """The axes along which and about which a robot's platform moves; none of another structure."""
+    """The axes along which and about which a robot's platform moves; empty for a structure without a platform."""
 
     directions: tuple[str, ...] = ()
     rotations: tuple[str, ...] = ()
@@ -40,13 +40,13 @@ class Platform:
     @property
     def components(self) -> tuple[str, ...]:
         """Names of the components of its motion."""
-        axes_by_prefix = (DISPLACEMENT, self.directions), (ROTATION, self.rotations)
-        return tuple(f"{kind}{axis}" for kind, axes in axes_by_prefix for axis in axes)
+        prefixes_and_axes = (DISPLACEMENT, self.directions), (ROTATION, self.rotations)
+        return tuple(f"{prefix}{axis}" for prefix, axes in prefixes_and_axes for axis in axes)
 
-    def rotation(self, point: Mapping[str, float]) -> Array:
-        """Return its rotation, (3, 3), at a pose whose components ``r`` + axis are a rotation vector [rad]."""
+    def rotation(self, pose: Mapping[str, float]) -> Array:
+        """Return the rotation, (3, 3), at a pose whose components ``r`` + axis are a rotation vector [rad]."""
         return matrices_of_vectors(
-            vectors_about(self.rotations, np.array([point[f"r{axis}"] for axis in self.rotations]))
+            vectors_about(self.rotations, np.array([pose[f"r{axis}"] for axis in self.rotations]))
         )
 
 
@@ -55,28 +55,31 @@ class Mount:
     """How something is fixed to a platform that turns.
 
     - direction: unit vector
-    - turns: whether the direction is along the platform's axes, which turn, or along those of the base
-    - at: its position in platform axes from the platform's origin [m]
-    - angular: whether it measures a rotation about its direction, or is a torque
+    - turns_with_platform: whether the direction is along the platform's axes, which turn, or along those of the base
+    - position: in platform axes from the platform's origin [m]
+    - angular: whether it measures a rotation about its direction, or applies a torque
     """
 
     direction: Vector
-    turns: bool
-    at: Vector
+    turns_with_platform: bool
+    position: Vector
     angular: bool
     platform: Platform
 
     @property
     def sensed_components(self) -> tuple[str, ...]:
-        """The components of the platform's motion that have its unit."""
-        kind = ROTATION if self.angular else DISPLACEMENT
-        return tuple(name for name in self.platform.components if name.startswith(kind))
+        """Names of the platform's displacement components, or of its rotation components if angular."""
+        prefix = ROTATION if self.angular else DISPLACEMENT
+        return tuple(name for name in self.platform.components if name.startswith(prefix))
 
-    def weights(self, R: Array) -> dict[str, float]:
-        """Return its reading per unit of each motion component of a platform with the rotation R, (3, 3)."""
-        d = np.array(self.direction)
-        d = R @ d if self.turns else d
-        linear, rotational = (np.zeros(3), d) if self.angular else (d, np.cross(R @ np.array(self.at), d))
+    def motion_weights(self, R: Array) -> dict[str, float]:
+        """Return the reading per unit of each motion component of a platform with the rotation R, (3, 3)."""
+        direction = np.array(self.direction)
+        direction = R @ direction if self.turns_with_platform else direction
+        if self.angular:
+            linear, rotational = np.zeros(3), direction
+        else:
+            linear, rotational = direction, np.cross(R @ np.array(self.position), direction)
         vectors = {DISPLACEMENT: linear, ROTATION: rotational}
         return {name: float(vectors[name[:2]][AXES.index(name[2:])]) for name in self.platform.components}
 
@@ -90,8 +93,8 @@ def vector_along(axes: Sequence[str], numbers: Sequence[float]) -> Vector:
 def rms_distance(mounts: Sequence[Mount]) -> float:
     """Return the rms distance of sensors from their centre [m], 1 m if they all sit at one point.
 
-    It makes rotations comparable with displacements.
+    The distance makes rotations comparable with displacements.
     """
-    positions = np.array([mount.at for mount in mounts if not mount.angular] or [ORIGIN])
+    positions = np.array([mount.position for mount in mounts if not mount.angular] or [ORIGIN])
     distance = float(np.sqrt(((positions - positions.mean(axis=0)) ** 2).sum(axis=1).mean()))
     return distance if distance > 0.0 else 1.0

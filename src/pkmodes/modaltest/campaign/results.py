@@ -56,7 +56,7 @@ class IdentifiedMode:
     - frequency, sigma: [Hz]
     - damping, sigma_damping: NaN where unknown
     - shape: by channel, relative to the largest component
-    - sigma_shape: of a component of it; NaN where unknown
+    - sigma_shape: standard deviation of a component of it; NaN where unknown
     - complexity: modal phase collinearity; NaN without a shape
     - found_in: number of model orders in which it was found, and their total
     - files: number of files in which it was found
@@ -124,8 +124,8 @@ class RecordResult:
 
     - struck: frequencies of the modes that the user struck out [Hz]
     - messages: what the user should know
-    - inspections: of the first file of each setup, if requested
-    - repeats: of each setup
+    - inspections: inspections of the first file of each setup, if requested
+    - repeats: repeated measurements of each setup
     """
 
     record: Record

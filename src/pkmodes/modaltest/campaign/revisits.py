@@ -12,7 +12,7 @@ from pkmodes.modaltest.campaign.averaging import group_by_mode
 from pkmodes.modaltest.campaign.campaign import Record
 from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
 
-#: Fewest modes that must have been measured again.
+#: Minimum number of modes that must have been measured again.
 MIN_MODES = 3
 
 

@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 #: Number of standard deviations above which a change is real.
 CHANGE_SIGMAS = 3.0
-#: Least relative standard deviation of a frequency (less is rounding), and sweeps of the median polish.
+#: Minimum relative standard deviation of a frequency (less is rounding), and sweeps of the median polish.
 MIN_RELATIVE_SIGMA, MEDIAN_SWEEPS = 1e-7, 20
 #: Largest difference of a mode's frequencies at two points for their functions to share a pole, in half-power
 #: bandwidths.
@@ -29,8 +29,8 @@ MAX_SHIFT = 0.15
 class RovingPoint:
     """A file of a point that was hit.
 
-    - modes: those of this file alone
-    - factor: from its frequencies to those of the machine in the middle of its change
+    - modes: modes of this file alone
+    - factor: factor from its frequencies to those of the machine in the middle of its change
     """
 
     path: Path
@@ -42,7 +42,7 @@ class RovingPoint:
         frequencies: Array,
         points: Sequence[str],
         references: Sequence[str],
-        exponential: float | None = None,
+        window_time_constant: float | None = None,
         length: float | None = None,
     ) -> Complex:
         """Return the correction of the file's accelerances, (F, S, R), to those of the machine in mid-change.
@@ -52,8 +52,8 @@ class RovingPoint:
 
         - frequencies: (F,) [Hz]
         - points, references: as in the shapes and participations of the modes
-        - exponential: time constant of a window that the responses have had [s]
-        - length: of the record of each blow, which cuts off the decays [s]; complete ones by default
+        - window_time_constant: time constant of a window that the responses have had [s]
+        - length: length of the record of each impact, which cuts off the decays [s]; complete ones by default
         """
         if self.factor == 1.0 or not self.modes:
             return np.zeros((len(frequencies), len(points), len(references)), complex)
@@ -66,7 +66,7 @@ class RovingPoint:
         poles = undamped * (-ratios + 1j * np.sqrt(np.maximum(1.0 - ratios**2, 0.0)))
 
         def response(factor: float) -> Complex:
-            shifted = factor * poles - (1.0 / exponential if exponential else 0.0)
+            shifted = factor * poles - (1.0 / window_time_constant if window_time_constant else 0.0)
             recorded = np.ones(len(shifted)) if length is None else 1.0 - np.exp(shifted * length)
             return IdentifiedModes(shifted, factor * recorded[:, None] * shapes, participations).response(
                 frequencies
@@ -79,7 +79,7 @@ class RovingPoint:
 class RovingChange:
     """The change of a machine from point to point, and the largest allowed, both relative to its frequencies.
 
-    - factors: from the frequencies of each setup to those in mid-change; 1 where no change is certain
+    - factors: factors from the frequencies of each setup to those in mid-change; 1 where no change is certain
     """
 
     difference: float

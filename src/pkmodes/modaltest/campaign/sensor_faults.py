@@ -11,7 +11,7 @@ from pkmodes.modaltest.campaign.sensor_functions import dead_channel_messages
 from pkmodes.modaltest.signals.functions import Array, Function
 from pkmodes.modaltest.signals.sensor_faults import find_clipping
 
-#: Fewest samples at an extreme value that are examined in records of blows, whose pulses are short.
+#: Minimum number of samples at an extreme value that are examined in records of blows, whose pulses are short.
 MIN_CLIPPED_OF_BLOWS = 3
 #: A sensor keeps running while another has stopped if it shows this fraction of its usual standard deviation there.
 MIN_RUNNING_SHARE = 0.5

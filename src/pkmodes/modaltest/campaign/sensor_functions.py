@@ -38,7 +38,7 @@ class SensorFunctions:
     """The functions of one kind that a campaign's sensors have in a file.
 
     - file: with all of the file's functions that the campaign names
-    - used: those of the sensors, all with the same abscissa
+    - used: functions of the sensors, all with the same abscissa
     """
 
     file: SignalFile
@@ -56,9 +56,9 @@ def sensor_functions(
 ) -> SensorFunctions:
     """Read the functions of the named sensors.
 
-    - names: as in the file; all if it is empty and the kind needs no sensors
-    - record: to which the file belongs: its band, outside of which functions of frequency may have gaps, its sampling
-      rate, and the names of a table's columns
+    - names: names as in the file; all if it is empty and the kind needs no sensors
+    - record: record to which the file belongs: its band, outside of which functions of frequency may have gaps, its
+      sampling rate, and the names of a table's columns
     - signs: whether the sign in the name of a degree of freedom counts
 
     Raises MeasurementError if the file is faulty or has none of them, or their times or frequencies differ.
@@ -127,17 +127,17 @@ def motion_of(function: Function, sensor: MotionSensor, channels: Mapping[str, s
     if declared is None or unit is None:
         return measured
     file_motion = motion_or_none(unit)
-    if declared.from_volts and not function.assumed:
+    if declared.from_volts and not function.unit_assumed:
         agree = unit == "V"
     elif file_motion is None:
         agree = False
     else:
         # A type without a unit is "acceleration" even for a rotation.
         same_kind = file_motion.derivative == declared.derivative and (
-            function.assumed or file_motion.angular == declared.angular
+            function.unit_assumed or file_motion.angular == declared.angular
         )
         agree = same_kind and (
-            function.assumed or math.isclose(file_motion.factor, declared.factor, rel_tol=UNIT_TOLERANCE)
+            function.unit_assumed or math.isclose(file_motion.factor, declared.factor, rel_tol=UNIT_TOLERANCE)
         )
     if not agree:
         problem = f"the campaign says {shown(declared.unit)} of this sensor, and the file {shown(unit)}"

@@ -52,7 +52,7 @@ class Transducer:
 
     def rotated(self, R: NDArray[np.float64]) -> Self:
         """Return it at the rotation R of the platform, (3, 3)."""
-        return self if self.mount is None else replace(self, weights=self.mount.weights(R))
+        return self if self.mount is None else replace(self, weights=self.mount.motion_weights(R))
 
     @property
     def key(self) -> str:
@@ -215,7 +215,7 @@ def _transducer(
 
 
 def _mounted_transducer(table: SensorTable | ForceTable, mount: Mount) -> Transducer:
-    return Transducer(table.name, table.setup, mount.weights(np.eye(3)), mount=mount)
+    return Transducer(table.name, table.setup, mount.motion_weights(np.eye(3)), mount=mount)
 
 
 def _position(table: SensorTable | ForceTable, where: str) -> Vector:
@@ -278,7 +278,7 @@ def check_motion(
         if unit and (unit == "rad") != measured.angular:
             kind = "an angular" if measured.angular else "a linear"
             remedy = f"{channel} is {'an angle' if unit == 'rad' else 'a length'}: give such a unit"
-            if measured.angular and transducer.mount is not None and transducer.mount.turns:
+            if measured.angular and transducer.mount is not None and transducer.mount.turns_with_platform:
                 remedy = f"write unit = {shown(measured.unit)} in the campaign: its direction is then an axis"
             raise MeasurementError(f"{channel} cannot have {kind} motion", where, remedy)
 

@@ -32,7 +32,7 @@ UNCERTAIN = "the error of {} would be as large as the largest component: left bl
 class ChannelShape:
     """A shape by channel.
 
-    - values: those that the sensors determine; other channels are left out
+    - values: components that the sensors determine; other channels are left out
     - growth: ratio of the relative standard deviation of the least certain component to that of the sensors; 1 if no
       platform turns, as its components are then as certain as its sensors
     - blank, uncertain: components of a turning platform that its sensors do not determine, and those whose error is

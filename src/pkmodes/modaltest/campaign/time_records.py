@@ -51,7 +51,7 @@ class TimeSignals:
     - pieces: responses in SI units, each (n_i, S); a gap begins another piece
     - forces: in SI units where the file gives one, each (n_i,); empty without a force
     - force: name of the force in the file
-    - names: of the S sensors with a signal
+    - names: names of the S sensors with a signal
     - derivatives: (S,); 0 for displacements, 1 for velocities, 2 for accelerations
     - names_in_file: names of all the campaign's sensors in the file
     - gap: median length of the gaps between the pieces [s]; 0 for a single piece
@@ -245,7 +245,7 @@ def fit_with_bridges(
     rms_change = float(np.sqrt(np.mean(np.square(changes))))
 
     def widen(mode: Mode) -> Mode:
-        names = "sigma_frequency", "sigma_damping", "sigma_shape", "sigma_size"
+        names = "sigma_frequency", "sigma_damping", "sigma_shape", "sigma_scale"
         return replace(mode, **{name: getattr(mode, name) * np.hypot(1.0, rms_change) for name in names})
 
     sentence = (
@@ -256,12 +256,12 @@ def fit_with_bridges(
 
 
 def modes_with_levels(
-    fit: FileFit, messages: Sequence[str], signals: TimeSignals, exponential: float | None = None
+    fit: FileFit, messages: Sequence[str], signals: TimeSignals, window_time_constant: float | None = None
 ) -> FileModes:
     """Return the modes of a file with their levels.
 
     - fit: with shapes in accelerations of the file's sensors
-    - exponential: time constant of a window that the responses have had [s]
+    - window_time_constant: time constant of a window that the responses have had [s]
     """
     file_modes = modes_from_fit(fit, messages, signals.names_in_file)
     modes = fit.estimate.modes
@@ -271,7 +271,7 @@ def modes_with_levels(
     roving = fit.references == signals.names
     at_sensors = [mode.participation if roving else mode.shape for mode in modes]
     shapes = np.array(at_sensors) / signals.as_accelerations(poles)
-    mode_levels = levels(signals.step, signals.pieces, poles, shapes, exponential)
+    mode_levels = levels(signals.step, signals.pieces, poles, shapes, window_time_constant)
     pairs = zip(file_modes.modes, mode_levels, strict=True)
     levelled_modes = tuple(replace(mode, level=level.amplitude, shift=level.shift) for mode, level in pairs)
     return replace(file_modes, modes=levelled_modes)

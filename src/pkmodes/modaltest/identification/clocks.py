@@ -29,11 +29,11 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 #: Standard deviation of the phase of a real shape [rad]: damping turns shapes by a few degrees.
 SHAPE_PHASE_SIGMA = 0.05
-#: Length of a segment, in periods of the upper end of the band; least number of segments.
+#: Length of a segment, in periods of the upper end of the band; minimum number of segments.
 SEGMENT_PERIODS, MIN_SEGMENTS = 100.0, 8
-#: Length of a segment in multiples of the largest delay searched: desired, and least.
+#: Length of a segment in multiples of the largest delay searched: desired, and minimum.
 SEGMENT_DELAYS, MIN_SEGMENT_DELAYS = 8.0, 4.0
-#: Shortest record in periods of the lower end of the band, and least ratio of the ends of the band.
+#: Shortest record in periods of the lower end of the band, and minimum ratio of the ends of the band.
 MIN_PERIODS, MIN_BAND_RATIO = 12.0, 1.5
 TOO_SHORT = "the time that both recorded is too short, or the band too narrow"
 #: Effective number of independent segments for each of several that overlap by half.
@@ -151,7 +151,7 @@ def delay(
     part_sums = np.array([(squares[:, a:b] @ rotations[a:b]).real for a, b in pairwise(edges)])
     total = part_sums.sum(axis=0)
     best_delay, best_drift, best_index = _peak(total, delays, drifts)
-    at_lines = best_delay + best_drift * mean_times
+    delays_at_lines = best_delay + best_drift * mean_times
     leave_out_peaks = [_peak(total - part_sum, delays, drifts) for part_sum in part_sums]
     leave_out_delays = np.array([offset + slope * mean_times for offset, slope, _ in leave_out_peaks])
     variance = (
@@ -161,11 +161,11 @@ def delay(
     )
     sigmas = np.sqrt(variance + (SHAPE_PHASE_SIGMA / (2.0 * np.pi * f)) ** 2)
     for i, k in np.argwhere(total == maximum_filter(total, size=3, mode="nearest")):
-        worse = part_sums[(slice(None), *best_index)] - part_sums[:, i, k]
-        if (i, k) != best_index and worse.sum() < RULED_OUT_SIGMAS * math.sqrt(JACKKNIFE_PARTS) * worse.std(
-            ddof=1
-        ):
-            sigmas = np.maximum(sigmas, np.abs(delays[k] + drifts[i] * mean_times - at_lines))
+        deficits = part_sums[(slice(None), *best_index)] - part_sums[:, i, k]
+        if (i, k) != best_index and deficits.sum() < RULED_OUT_SIGMAS * math.sqrt(
+            JACKKNIFE_PARTS
+        ) * deficits.std(ddof=1):
+            sigmas = np.maximum(sigmas, np.abs(delays[k] + drifts[i] * mean_times - delays_at_lines))
     return Delay(best_delay, best_drift, middle, f, sigmas)
 
 
@@ -226,10 +226,10 @@ def _peak(heights: Array, delays: Array, drifts: Array) -> tuple[float, float, t
     i, k = (int(index) for index in np.unravel_index(int(heights.argmax()), heights.shape))
     shift = 0.0
     if 0 < k < len(delays) - 1:
-        before, top, after = heights[i, k - 1 : k + 2]
+        value_before, value_at_peak, value_after = heights[i, k - 1 : k + 2]
         shift = (
-            0.5 * float((before - after) / (before - 2.0 * top + after))
-            if before + after < 2.0 * top
+            0.5 * float((value_before - value_after) / (value_before - 2.0 * value_at_peak + value_after))
+            if value_before + value_after < 2.0 * value_at_peak
             else 0.0
         )
     return float(delays[k] + shift * (delays[1] - delays[0])), float(drifts[i]), (i, k)

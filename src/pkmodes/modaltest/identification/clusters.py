@@ -30,8 +30,8 @@ HIGHEST_DAMPING = 0.2
 #: Largest average distance between the poles of one mode: |difference| / sum of |Re|, plus 1 - MAC.  Two equal shapes
 #: reach it half a bandwidth apart, where two peaks are not resolved.
 MAX_CLUSTER_DISTANCE = 0.5
-#: Least share of the orders in which a mode must be found.  Low orders have no poles to spare for weak modes; whether
-#: a mode exceeds the noise is decided after the fit, so this need not be strict.
+#: Minimum share of the orders in which a mode must be found.  Low orders have no poles to spare for weak modes;
+#: whether a mode exceeds the noise is decided after the fit, so this need not be strict.
 MIN_ORDER_SHARE = 0.3
 
 
@@ -40,7 +40,7 @@ class PoleCluster:
     """A cluster of poles.
 
     - pole: median of the cluster [1/s]
-    - shape: of the pole nearest to the median, at any scale, (S,)
+    - shape: shape of the pole nearest to the median, at any scale, (S,)
     - participation: likewise, (R,)
     - order_count: number of orders in which it was found
     """
@@ -51,7 +51,7 @@ class PoleCluster:
     order_count: int
 
 
-def pole_clusters(by_order: Sequence[OrderPoles], low: float, high: float) -> list[PoleCluster]:
+def pole_clusters(poles_by_order: Sequence[OrderPoles], low: float, high: float) -> list[PoleCluster]:
     """Return the clusters that are large enough, by ascending frequency.
 
     - low, high: only poles between these frequencies are used [Hz]
@@ -60,13 +60,13 @@ def pole_clusters(by_order: Sequence[OrderPoles], low: float, high: float) -> li
     ----------
     Reynders et al. 2012, sections 4 and 5.
     """
-    usable = [usable_poles(model.poles, low, high) for model in by_order]
-    poles = np.concatenate([model.poles[mask] for model, mask in zip(by_order, usable, strict=True)])
-    shapes = np.concatenate([model.shapes[mask] for model, mask in zip(by_order, usable, strict=True)])
+    usable = [usable_poles(model.poles, low, high) for model in poles_by_order]
+    poles = np.concatenate([model.poles[mask] for model, mask in zip(poles_by_order, usable, strict=True)])
+    shapes = np.concatenate([model.shapes[mask] for model, mask in zip(poles_by_order, usable, strict=True)])
     participations = np.concatenate(
-        [model.participation[mask] for model, mask in zip(by_order, usable, strict=True)]
+        [model.participation[mask] for model, mask in zip(poles_by_order, usable, strict=True)]
     )
-    order_indices = np.repeat(np.arange(len(by_order)), [int(mask.sum()) for mask in usable])
+    order_indices = np.repeat(np.arange(len(poles_by_order)), [int(mask.sum()) for mask in usable])
     if not len(poles):
         return []
     labels = np.ones(1, np.int32)
@@ -81,7 +81,7 @@ def pole_clusters(by_order: Sequence[OrderPoles], low: float, high: float) -> li
     for label in range(1, int(labels.max()) + 1):
         members = np.flatnonzero(labels == label)
         count = len(np.unique(order_indices[members]))
-        if count >= math.ceil(MIN_ORDER_SHARE * len(by_order)):
+        if count >= math.ceil(MIN_ORDER_SHARE * len(poles_by_order)):
             median = complex(np.median(poles[members].real), np.median(poles[members].imag))
             nearest = members[np.argmin(np.abs(poles[members] - median))]
             clusters.append(PoleCluster(median, shapes[nearest], participations[nearest], count))
@@ -96,9 +96,9 @@ def usable_poles(poles: Complex, low: float, high: float) -> NDArray[np.bool_]:
     return np.asarray(in_band & (damping > 0.0) & (damping < HIGHEST_DAMPING))
 
 
-def count_orders(by_order: Sequence[OrderPoles], pole: complex) -> int:
+def count_orders(poles_by_order: Sequence[OrderPoles], pole: complex) -> int:
     """Return the number of orders that have a pole within the half bandwidth of a mode."""
-    return sum(bool((np.abs(model.poles - pole) < abs(pole.real)).any()) for model in by_order)
+    return sum(bool((np.abs(model.poles - pole) < abs(pole.real)).any()) for model in poles_by_order)
 
 
 def _mac_matrix(vectors: Complex) -> Array:

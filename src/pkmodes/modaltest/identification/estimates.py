@@ -32,9 +32,9 @@ class Mode:
     - sigma_shape: one standard deviation of the real part of a component of the shape turned as real as possible,
       relative to its largest component
     - found_in: number of model orders in which it was found, and their total
-    - participation: of the references, (R,): its product with the shape is the residue of the functions.  None for
-      responses alone.
-    - sigma_size: one standard deviation of the largest residue, relative; NaN where unknown
+    - participation: participations of the references, (R,): its product with the shape is the residue of the
+      functions.  None for responses alone.
+    - sigma_scale: one standard deviation of the largest residue, relative; NaN where unknown
     """
 
     pole: complex
@@ -44,7 +44,7 @@ class Mode:
     sigma_shape: float
     found_in: tuple[int, int]
     participation: Complex | None = None
-    sigma_size: float = math.nan
+    sigma_scale: float = math.nan
 
     @property
     def frequency(self) -> float:
@@ -67,7 +67,7 @@ class Stabilisation:
     """Poles over model orders, for a stabilisation diagram.
 
     - orders: ascending, (K,)
-    - poles: for each order, those with positive imaginary part [1/s]
+    - poles: for each order, the poles with positive imaginary part [1/s]
     """
 
     orders: NDArray[np.int64]
@@ -79,7 +79,7 @@ class Estimate:
     """Modes of one measurement, and its functions.
 
     - modes: by ascending frequency
-    - frequencies: of the lines inside the band, (F,) [Hz]
+    - frequencies: frequencies of the lines inside the band, (F,) [Hz]
     - measured, synthesised: (F, S, R); NaN where not measured
     - added: for each frequency at which the user requested a mode: the mode, or why there is none
     - tones: lines without bandwidth that were found without having been stated [Hz]

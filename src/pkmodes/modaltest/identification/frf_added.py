@@ -42,7 +42,7 @@ Complex = NDArray[np.complex128]
 STARTING_DAMPINGS = (0.03, 0.01, 0.003)
 #: Probability that noise alone produces a mode within the reach of the fit.
 FALSE_ALARM = 0.05
-#: Least energy relative to the strongest mode within the reach: weaker ones may be noise beside it.
+#: Minimum energy relative to the strongest mode within the reach: weaker ones may be noise beside it.
 MIN_RELATIVE_ENERGY = 0.5
 #: Fits that end closer than this fraction of their half bandwidth are the same.
 SAME_FIT_DISTANCE = 0.1
@@ -57,17 +57,17 @@ class ModesWithRequested:
     """
 
     modes: IdentifiedModes
-    bounds: Uncertainty
+    uncertainty: Uncertainty
     added: tuple[int | str, ...]
     struck_mask: NDArray[np.bool_]
 
 
 def add_requested_modes(
-    data: FrequencyLines, modes: IdentifiedModes, bounds: Uncertainty, edits: RequestedModes
+    data: FrequencyLines, modes: IdentifiedModes, uncertainty: Uncertainty, edits: RequestedModes
 ) -> ModesWithRequested:
     """Return modes (N) with those that the user requests; each replaces a mode within 1 % of it."""
     if not edits.add:
-        return ModesWithRequested(modes, bounds, (), np.zeros(len(modes.poles), bool))
+        return ModesWithRequested(modes, uncertainty, (), np.zeros(len(modes.poles), bool))
     struck = struck_mask(modes.frequencies, edits)
     current, request_index = modes.select(~struck), np.full(int((~struck).sum()), -1)
     reasons: dict[int, str] = {}
@@ -79,11 +79,11 @@ def add_requested_modes(
             current, kept_mask = outcome
             request_index = np.append(request_index[kept_mask], i)
     if (request_index >= 0).any():
-        current, bounds = fit_until_settled(data, current)
+        current, uncertainty = fit_until_settled(data, current)
     else:
-        current, bounds, request_index, struck = (
+        current, uncertainty, request_index, struck = (
             modes,
-            bounds,
+            uncertainty,
             np.full(len(modes.poles), -1),
             np.zeros(len(struck), bool),
         )
@@ -91,7 +91,7 @@ def add_requested_modes(
         reasons[i] if i in reasons else int(np.flatnonzero(request_index == i)[0])
         for i in range(len(edits.add))
     )
-    return ModesWithRequested(current, bounds, mode_indices, struck)
+    return ModesWithRequested(current, uncertainty, mode_indices, struck)
 
 
 def _add_requested_mode(
@@ -116,10 +116,10 @@ def _add_requested_mode(
             return "its fit converges to another mode that is added"
         if remaining.sum() < kept_mask.sum():
             candidate = _add_fitted_mode(data, modes.select(remaining), trial.poles[-1])
-        fitted, bounds = fit_until_settled(data, candidate)
+        fitted, uncertainty = fit_until_settled(data, candidate)
         frequency = float(fitted.frequencies[-1])
         fitted_frequencies.append(frequency)
-        strength = float(bounds.strength[-1])
+        strength = float(uncertainty.strength[-1])
         if (
             _is_plausible(fitted.poles[-1])
             and near_request(frequency, target)

@@ -92,7 +92,7 @@ def channel_covariance(
     return np.asarray(remainder.T @ remainder.conj() / lines)
 
 
-def uncertainty(
+def fit_uncertainty(
     window: Window,
     fit: WindowFit,
     noise_covariance: Complex,
@@ -102,8 +102,8 @@ def uncertainty(
     """Return the uncertainty of a fit.
 
     - noise_covariance: covariance of the noise between channels, (S R, S R)
-    - grid_index: of the lines on the grid, (F,)
-    - correlation: of the noise of lines, from lag 0, (L,)
+    - grid_index: indices of the lines on the grid, (F,)
+    - correlation: correlation of the noise of lines, from lag 0, (L,)
 
     References
     ----------
@@ -221,7 +221,7 @@ def poles_by_reference(window: Window, fit: WindowFit) -> tuple[Complex, Array]:
 def variance_between_groups(values: Sequence[Array], variances: Sequence[Array]) -> float:
     """Return the variance between groups, beyond their own variances, pooled over several quantities.
 
-    - values, variances: of each quantity, k of at least 2, each (k,)
+    - values, variances: values and variances of each quantity, k of at least 2, each (k,)
 
     References
     ----------

@@ -1,11 +1,11 @@
 r"""Frequency response functions of impacts, from force and responses in time.
 
-The H1 estimate over the blows of a file and its coherence (Bendat and Piersol, Random Data, 4th edition, 2010,
+The H1 estimate over the impacts of a file and its coherence (Bendat and Piersol, Random Data, 4th edition, 2010,
 sections 6.1 and 9.1), with the force outside of its pulses set to zero, where it is noise only (Fladung and Rost,
 Mechanical Systems and Signal Processing 11, 1997).
 
 The responses get no window.  A decay that the record cuts off at T has, at the lines k/T, the same form as a complete
-one, times 1 - exp(lambda T), if the record begins with the blow: its poles are exact, and a window would only add
+one, times 1 - exp(lambda T), if the record begins with the impact: its poles are exact, and a window would only add
 damping and noise.  One that an analyser has multiplied with exp(-t/tau) has its poles shifted by -1/tau.
 """
 
@@ -24,9 +24,9 @@ from pkmodes.core.base.numbers import plain
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: Least force of a blow, relative to the highest of the file; weaker pulses in between are bounces.
-MIN_BLOW_FORCE = 0.3
-#: A second pulse above this fraction of the blow is a double hit; the hammer's own ringing stays below it.
+#: Minimum peak force of an impact, relative to the highest of the file; weaker pulses in between are bounces.
+MIN_IMPACT_FORCE = 0.3
+#: A second pulse above this fraction of the impact is a double hit; the hammer's own ringing stays below it.
 MAX_SECOND_PULSE = 0.05
 #: Number of standard deviations of its noise above which the force is a signal.
 NOISE_SIGMAS = 8.0
@@ -38,14 +38,14 @@ MAX_CONTACT_GAP = 0.003
 
 @dataclass(frozen=True, eq=False)
 class ImpactEstimate:
-    """Functions of one file of blows.
+    """Functions of one file of impacts.
 
-    - frequencies: from 0, (F,) [Hz]
+    - frequencies: lines from 0 Hz, (F,) [Hz]
     - H: response per force, (F, S, 1)
-    - coherence: (F, S, 1); None for a single blow
-    - averages: number of blows
-    - messages: double hits
-    - sigma_size: relative standard deviation of the size of all functions, from the noise of the force while it acts
+    - coherence: (F, S, 1); None for a single impact
+    - averages: number of impacts
+    - messages: messages about double hits
+    - sigma_scale: relative standard deviation of the scale of all functions, from the noise of the force in contact
     """
 
     frequencies: Array
@@ -53,7 +53,7 @@ class ImpactEstimate:
     coherence: Array | None
     averages: int
     messages: tuple[str, ...]
-    sigma_size: float
+    sigma_scale: float
 
 
 def impact_estimate(
@@ -62,26 +62,27 @@ def impact_estimate(
     responses: Array,
     *,
     hits: int = 1,
-    exponential: float | None = None,
+    window_time_constant: float | None = None,
     max_length: int | None = None,
 ) -> ImpactEstimate:
-    """Return the functions of the blows in a file.
+    """Return the functions of the impacts in a file.
 
-    - step: between samples [s]
+    - step: sampling interval [s]
     - force: (N,)
     - responses: (N, S)
-    - hits: number of blows
-    - exponential: time constant of a window applied to the responses, from the first sample [s]
-    - max_length: most samples used after each blow, so that the functions of several files have the same lines
+    - hits: number of impacts
+    - window_time_constant: time constant of a window applied to the responses, from the first sample [s]
+    - max_length: maximum number of samples used after each impact, so that the functions of several files have the
+      same lines
 
-    Raises MeasurementError if there are fewer blows.
+    Raises MeasurementError if there are fewer impacts.
 
     References
     ----------
     Bendat and Piersol 2010, section 9.1.
     """
     pulses, sign = _pulses(force)
-    starts = _blow_starts(pulses, step, hits)
+    starts = _impact_starts(pulses, step, hits)
     length = min(_shortest_interval(starts, len(force)), max_length or len(force))
     messages: list[str] = []
     X = np.empty((len(starts), length // 2 + 1), complex)
@@ -99,22 +100,22 @@ def impact_estimate(
         impulse += float(piece[contact].sum())
         variance += sigma**2 * float(contact.sum())
         X[i] = np.fft.rfft(sign * np.where(contact, piece, 0.0))
-        window_gain = np.exp(start * step / exponential) if exponential else 1.0
+        window_gain = np.exp(start * step / window_time_constant) if window_time_constant else 1.0
         Y[i] = np.fft.rfft(responses[start : start + length], axis=0) * window_gain
     lines = np.asarray(np.fft.rfftfreq(length, step), dtype=float)
     return ImpactEstimate(lines, *h1(X, Y), len(starts), tuple(messages), float(np.sqrt(variance) / impulse))
 
 
-def shortest_blow_length(step: float, force: Array, hits: int = 1) -> int:
-    """Return the least number of samples in a file from a blow to the next one, or to the end.
+def shortest_decay_length(step: float, force: Array, hits: int = 1) -> int:
+    """Return the smallest number of samples in a file from an impact to the next one, or to the end.
 
-    Raises MeasurementError if there are fewer blows.
+    Raises MeasurementError if there are fewer impacts.
     """
-    return _shortest_interval(_blow_starts(_pulses(force)[0], step, hits), len(force))
+    return _shortest_interval(_impact_starts(_pulses(force)[0], step, hits), len(force))
 
 
 def _pulses(force: Array) -> tuple[Array, float]:
-    """Return a force relative to its rest, with positive blows, and their original sign, which is a convention."""
+    """Return a force relative to its rest, with positive impacts, and their original sign, which is a convention."""
     pulses = force - float(np.median(force))
     sign = 1.0 if pulses[int(np.argmax(np.abs(pulses)))] >= 0.0 else -1.0
     return sign * pulses, sign
@@ -140,13 +141,13 @@ def remove_window_damping(poles: Complex, time_constant: float | None) -> Comple
     return np.asarray(poles + 1.0 / time_constant if time_constant else poles, dtype=complex)
 
 
-def _blow_starts(pulses: Array, step: float, hits: int) -> list[int]:
-    """Return the first sample of each of the strongest blows."""
+def _impact_starts(pulses: Array, step: float, hits: int) -> list[int]:
+    """Return the first sample of each of the strongest impacts."""
     order = np.argsort(-pulses, kind="stable")
     min_distance = max(len(pulses) // (4 * hits), round(MAX_CONTACT_GAP / step), 1)
     peaks: list[int] = []
     for i in order:
-        if len(peaks) == hits or pulses[i] < MIN_BLOW_FORCE * pulses[order[0]]:
+        if len(peaks) == hits or pulses[i] < MIN_IMPACT_FORCE * pulses[order[0]]:
             break
         if all(abs(int(i) - peak) > min_distance for peak in peaks):
             peaks.append(int(i))

@@ -44,18 +44,19 @@ Complex = NDArray[np.complex128]
 #: Poles of the highest order, and number of orders up to it: about three times as many poles as a machine has modes
 #: in a band, as residual terms, noise and the hammer's spectrum take poles too.
 MAX_POLES, ORDER_COUNT = 60, 20
-#: Most searches of the residual; each finds all modes that no stronger one hides.
+#: Maximum number of searches of the residual; each finds the modes not hidden by stronger ones.
 MAX_SEARCHES = 4
-#: Most passes in which tones are found and left out: a strong one hides others.
+#: Maximum number of passes that find and leave out tones; several are needed because a strong tone hides weaker ones.
 MAX_TONE_PASSES = 4
 #: Modes outside the band by up to this fraction of its width are fitted too, but not reported.
-MARGIN = 0.04
-#: Least half bandwidth, in line spacings, of a resonance near a tone; a tone has none.
-MIN_HALF_WIDTH_AT_TONE = 0.3
+BAND_MARGIN = 0.04
+#: Minimum half bandwidth of a mode, in line spacings; a narrower pole is a single frequency line, too narrow for the
+#: lines to resolve.
+MIN_HALF_WIDTH_LINES = 0.1
+#: Minimum half bandwidth, in line spacings, of a mode near a tone; a tone has zero bandwidth.
+MIN_HALF_WIDTH_LINES_AT_TONE = 0.3
 #: Reason for not adding a requested mode whose fit shows that it is not a mode.
 NOT_A_MODE = "its fit leaves the band, has no positive damping, or is a line without bandwidth"
-#: Half bandwidth, in line spacings, below which a pole is a single line and no resonance that the lines resolve.
-MIN_HALF_WIDTH = 0.1
 
 
 def identify_frf(
@@ -63,10 +64,10 @@ def identify_frf(
     H: Complex,
     *,
     band: tuple[float, float],
-    power: int,
+    derivative_order: int,
     coherence: Array | None = None,
     averages: int | None = None,
-    exponential: float | None = None,
+    window_time_constant: float | None = None,
     tones: Sequence[float] = (),
     edits: RequestedModes = NO_EDITS,
 ) -> Estimate:
@@ -75,90 +76,119 @@ def identify_frf(
     - frequencies: ascending, (F,) [Hz]
     - H: sensors may have different units, (F, S, R).  Columns that were not measured are NaN.
     - band: [Hz]
-    - power: 0 for displacement, 1 for velocity, 2 for acceleration
+    - derivative_order: 0 for displacement, 1 for velocity, 2 for acceleration
     - coherence: (F, S, R)
-    - averages: number of averages of the coherence: with it, the coherence gives the variance of the noise; otherwise
-      only its course over the lines
-    - exponential: time constant of an exponential window of the responses [s]
-    - tones: lines at these frequencies and their multiples are not modes [Hz]
-    - edits: modes that the user adds
+    - averages: number of averages of the coherence: with it, the coherence gives the variance of the noise; without
+      it, the coherence gives only the noise's relative size at each line
+    - window_time_constant: time constant of an exponential window of the responses [s]
+    - tones: spectral lines at these frequencies and their multiples are not modes [Hz]
+    - edits: modes that the user adds or strikes out
 
     Raises MeasurementError if the band holds too few lines, or no function is complete.
     """
     in_range = (frequencies >= band[0]) & (frequencies <= band[1]) & (frequencies > 0.0)
-    f, measured = frequencies[in_range], H[in_range]
+    frequencies_in_band, H_in_band = frequencies[in_range], H[in_range]
     coherence_in_band = None if coherence is None else coherence[in_range]
-    margin = MARGIN * (band[1] - band[0])
+    margin = BAND_MARGIN * (band[1] - band[0])
     low, high = band[0] - margin, band[1] + margin
-    lines: list[ToneLine] = []
-    for last_pass in (False,) * MAX_TONE_PASSES + (True,):
+    found_tones: list[ToneLine] = []
+    for tone_pass in range(MAX_TONE_PASSES + 1):
         data, scale = select_lines(
-            f, measured, coherence_in_band, averages, exponential, tones, [line.frequency for line in lines]
+            frequencies_in_band,
+            H_in_band,
+            coherence_in_band,
+            averages,
+            window_time_constant,
+            tones,
+            [tone.frequency for tone in found_tones],
         )
-        by_order = _poles_by_order(data)
-        start = _candidates(by_order, data, low, high)
-        modes, bounds = _add_hidden_modes(data, *refine(data, start, low, high), low, high, power)
+        poles_by_order = _find_poles_by_order(data)
+        initial_modes = _candidates(poles_by_order, data, low, high)
+        modes, uncertainty = _add_hidden_modes(
+            data, *refine(data, initial_modes, low, high), low, high, derivative_order
+        )
+        if tone_pass == MAX_TONE_PASSES:
+            break
         new_tones = [
-            line
-            for line in ([] if last_pass else find_tone_lines(data, modes))
-            if nearest_frequency(edits.add, line.frequency) is None
+            tone
+            for tone in find_tone_lines(data, modes)
+            if nearest_frequency(edits.add, tone.frequency) is None
         ]
         if not new_tones:
             break
-        lines += new_tones
-    modes, bounds, error, spurious = drop_model_errors(data, modes, bounds, low, high)
+        found_tones += new_tones
+    modes, uncertainty, model_error, spurious = drop_model_errors(data, modes, uncertainty, low, high)
 
-    def to_mode(modes: IdentifiedModes, bounds: Uncertainty, m: int) -> Mode:
-        found_in = count_orders(by_order, modes.poles[m]), len(by_order)
-        return _to_mode(modes, add_model_error(modes, bounds, error), m, scale, exponential, found_in)
+    def to_mode(modes: IdentifiedModes, uncertainty: Uncertainty, mode_index: int) -> Mode:
+        found_in = count_orders(poles_by_order, modes.poles[mode_index]), len(poles_by_order)
+        return _to_mode(
+            modes,
+            add_model_error(modes, uncertainty, model_error),
+            mode_index,
+            scale,
+            window_time_constant,
+            found_in,
+        )
 
-    extended = add_requested_modes(data, modes, bounds, edits)
-    in_band = _mode_mask(extended.modes, data, band, exponential, tones)
-    added_indices = [i for i in extended.added if isinstance(i, int)]
-    reported = np.setdiff1d(np.flatnonzero(in_band), added_indices)
-    struck_modes = np.flatnonzero(extended.struck_mask & _mode_mask(modes, data, band, exponential, tones))
-    step = float(np.median(np.diff(f)))
-    reported_modes = [to_mode(extended.modes, extended.bounds, int(m)) for m in reported]
-    is_wide = extended.modes.half_widths[reported] > NARROW_HALF_WIDTH * step
+    with_requested = add_requested_modes(data, modes, uncertainty, edits)
+    in_band = _mode_mask(with_requested.modes, data, band, window_time_constant, tones)
+    requested_indices = [i for i in with_requested.added if isinstance(i, int)]
+    found_indices = np.setdiff1d(np.flatnonzero(in_band), requested_indices)
+    step = float(np.median(np.diff(frequencies_in_band)))
     # A drifting tone leaves narrow poles without a shape beside the lines that are left out.
-    reported_modes = [
-        candidate
-        for candidate, resolved in zip(reported_modes, is_wide, strict=True)
-        if resolved or np.isfinite(candidate.shape).any()
+    is_wide = with_requested.modes.half_widths[found_indices] > NARROW_HALF_WIDTH * step
+    found_modes = [
+        to_mode(with_requested.modes, with_requested.uncertainty, int(mode_index))
+        for mode_index in found_indices
     ]
-    reported_modes += [to_mode(modes, bounds, int(m)) for m in struck_modes]
+    reported_modes = [
+        mode
+        for mode, is_wide_mode in zip(found_modes, is_wide, strict=True)
+        if is_wide_mode or np.isfinite(mode.shape).any()
+    ]
+    # Modes that the user strikes out are reported too: they are struck out later, from the modes of all files.
+    struck_indices = np.flatnonzero(
+        with_requested.struck_mask & _mode_mask(modes, data, band, window_time_constant, tones)
+    )
+    reported_modes += [to_mode(modes, uncertainty, int(mode_index)) for mode_index in struck_indices]
+    added = tuple(
+        i
+        if isinstance(i, str)
+        else to_mode(with_requested.modes, with_requested.uncertainty, i)
+        if in_band[i]
+        else NOT_A_MODE
+        for i in with_requested.added
+    )
+    spurious_frequencies = tuple(
+        frequency
+        for frequency in spurious
+        if band[0] <= frequency <= band[1] and nearest_frequency(edits.add, frequency) is None
+    )
     return Estimate(
-        modes=tuple(sorted(reported_modes, key=lambda candidate: candidate.frequency)),
-        stabilisation=_stabilisation(by_order, band),
-        frequencies=f,
-        measured=measured,
-        synthesised=_response(data, extended.modes, power, f) * scale[:, None],
-        added=tuple(
-            i
-            if isinstance(i, str)
-            else to_mode(extended.modes, extended.bounds, i)
-            if in_band[i]
-            else NOT_A_MODE
-            for i in extended.added
-        ),
-        tones=distinct_tones(lines, step),
-        model_error=error,
-        spurious_frequencies=tuple(
-            frequency
-            for frequency in spurious
-            if band[0] <= frequency <= band[1] and nearest_frequency(edits.add, frequency) is None
-        ),
+        modes=tuple(sorted(reported_modes, key=lambda mode: mode.frequency)),
+        stabilisation=_stabilisation(poles_by_order, band),
+        frequencies=frequencies_in_band,
+        measured=H_in_band,
+        synthesised=_response(data, with_requested.modes, derivative_order, frequencies_in_band)
+        * scale[:, None],
+        added=added,
+        tones=distinct_tones(found_tones, step),
+        model_error=model_error,
+        spurious_frequencies=spurious_frequencies,
     )
 
 
-def _poles_by_order(data: FrequencyLines) -> list[OrderPoles]:
-    """Return poles from all complete sensors; if there are none, from all functions as of a single reference."""
-    measured = data.measured
-    complete = np.logical_and.reduce(measured, axis=1)
+def _find_poles_by_order(data: FrequencyLines) -> list[OrderPoles]:
+    """Return the poles of each model order, from the sensors with all references.
+
+    If no sensor has all, they are from every function as if of a single reference.
+    """
+    measured_mask = data.measured
+    complete = np.logical_and.reduce(measured_mask, axis=1)
     if complete.any():
         values, variance = data.H[:, complete], data.variance[:, complete]
     else:
-        values, variance = data.H[:, measured][..., None], data.variance[:, measured][..., None]
+        values, variance = data.H[:, measured_mask][..., None], data.variance[:, measured_mask][..., None]
     R = values.shape[2]
     max_order = min(MAX_POLES // R, max(len(data.frequencies) // (3 * R), 2))
     orders = np.unique(np.round(np.linspace(max(2, max_order // 8), max_order, ORDER_COUNT)).astype(int))
@@ -166,41 +196,55 @@ def _poles_by_order(data: FrequencyLines) -> list[OrderPoles]:
     return lscf(data.frequencies, values, weights / weights.max(), [int(n) for n in orders])
 
 
-def _candidates(by_order: list[OrderPoles], data: FrequencyLines, low: float, high: float) -> IdentifiedModes:
-    """Return the clusters as a starting point, with participations of 1 if theirs do not match the references."""
-    clusters = pole_clusters(by_order, low, high)
+def _candidates(
+    poles_by_order: list[OrderPoles], data: FrequencyLines, low: float, high: float
+) -> IdentifiedModes:
+    """Return the clusters as a starting point.
+
+    Participations are 1 if a cluster has another number of them than there are references.
+    """
+    clusters = pole_clusters(poles_by_order, low, high)
     R, N = data.H.shape[2], len(clusters)
     poles = np.array([cluster.pole for cluster in clusters], complex)
     sizes_match = all(cluster.participation.size == R for cluster in clusters)
     participations = np.array(
         [cluster.participation if sizes_match else np.ones(R) for cluster in clusters], complex
     ).reshape(N, R)
-    first_fit = lsfd(data.frequencies, data.H, data.weights(), poles, participations, 0)
-    return IdentifiedModes(poles, np.nan_to_num(first_fit.shapes), participations)
+    shape_fit = lsfd(data.frequencies, data.H, data.weights(), poles, participations, 0)
+    return IdentifiedModes(poles, np.nan_to_num(shape_fit.shapes), participations)
 
 
 def _add_hidden_modes(
-    data: FrequencyLines, modes: IdentifiedModes, bounds: Uncertainty, low: float, high: float, power: int
+    data: FrequencyLines,
+    modes: IdentifiedModes,
+    uncertainty: Uncertainty,
+    low: float,
+    high: float,
+    derivative_order: int,
 ) -> tuple[IdentifiedModes, Uncertainty]:
-    """Return the modes with those that a search finds in their residual."""
+    """Return the modes plus those that a search finds in the residual of their fit."""
     for _ in range(MAX_SEARCHES):
-        fit = _response(data, modes, power, data.frequencies)
+        fit = _response(data, modes, derivative_order, data.frequencies)
         poles = find_hidden_poles(data, fit, energy_threshold(data))
         if not len(poles):
             break
-        extended, more_bounds = refine(
+        with_hidden, new_uncertainty = refine(
             data, append_poles(modes, poles, data.frequencies, data.H - fit), low, high
         )
-        if len(extended.poles) <= len(modes.poles):
+        if len(with_hidden.poles) <= len(modes.poles):
             break
-        modes, bounds = extended, more_bounds
-    return modes, bounds
+        modes, uncertainty = with_hidden, new_uncertainty
+    return modes, uncertainty
 
 
-def _response(data: FrequencyLines, modes: IdentifiedModes, power: int, frequencies: Array) -> Complex:
-    """Return the modes with residual terms, in the units of `data`, (F, S, R), at frequencies [Hz]."""
-    displacement = replace(modes, shapes=modes.shapes / modes.poles[:, None] ** power)
-    with_residuals = fit_residual_terms(data.frequencies, data.H, data.weights(), displacement, power)
+def _response(
+    data: FrequencyLines, modes: IdentifiedModes, derivative_order: int, frequencies: Array
+) -> Complex:
+    """Return the response of the modes and residual terms at frequencies [Hz], in the units of `data`, (F, S, R)."""
+    displacement = replace(modes, shapes=modes.shapes / modes.poles[:, None] ** derivative_order)
+    with_residuals = fit_residual_terms(
+        data.frequencies, data.H, data.weights(), displacement, derivative_order
+    )
     return with_residuals.response(frequencies)
 
 
@@ -208,15 +252,15 @@ def _mode_mask(
     modes: IdentifiedModes,
     data: FrequencyLines,
     band: tuple[float, float],
-    exponential: float | None,
+    window_time_constant: float | None,
     tones: Sequence[float],
 ) -> NDArray[np.bool_]:
-    poles = remove_window_damping(modes.poles, exponential)
+    poles = remove_window_damping(modes.poles, window_time_constant)
     frequency = np.abs(poles) / (2.0 * math.pi)
     at_tone = tone_mask(frequency, tones, 2.0 * data.step) & (
-        modes.half_widths < MIN_HALF_WIDTH_AT_TONE * data.step
+        modes.half_widths < MIN_HALF_WIDTH_LINES_AT_TONE * data.step
     )
-    unresolved = modes.half_widths < MIN_HALF_WIDTH * data.step
+    unresolved = modes.half_widths < MIN_HALF_WIDTH_LINES * data.step
     return np.asarray(
         (frequency >= band[0]) & (frequency <= band[1]) & (poles.real < 0.0) & ~at_tone & ~unresolved
     )
@@ -224,33 +268,34 @@ def _mode_mask(
 
 def _to_mode(
     modes: IdentifiedModes,
-    bounds: Uncertainty,
-    m: int,
+    uncertainty: Uncertainty,
+    mode_index: int,
     scale: Array,
-    exponential: float | None,
+    window_time_constant: float | None,
     found_in: tuple[int, int],
 ) -> Mode:
     """Return one of the modes, in the units of the functions."""
-    pole = complex(remove_window_damping(modes.poles[m], exponential))
-    shape, covariance = modes.shapes[m] * scale, scale[:, None] * bounds.shapes[m] * scale
-    resolved = determined_components(shape, covariance)
-    sigmas = component_sigmas(shape[resolved], covariance[np.ix_(resolved, resolved)])
-    largest = int(np.argmax(np.where(resolved, np.abs(shape), 0.0)))
+    pole = complex(remove_window_damping(modes.poles[mode_index], window_time_constant))
+    shape = modes.shapes[mode_index] * scale
+    covariance = scale[:, None] * uncertainty.shapes[mode_index] * scale
+    determined = determined_components(shape, covariance)
+    sigmas = component_sigmas(shape[determined], covariance[np.ix_(determined, determined)])
+    largest = int(np.argmax(np.where(determined, np.abs(shape), 0.0)))
     return Mode(
         pole=pole,
-        shape=np.where(resolved, shape, complex(np.nan, np.nan)),
-        sigma_frequency=float(bounds.poles[m, 1]) / (2.0 * math.pi),
-        sigma_damping=float(bounds.poles[m, 0]) / abs(pole),
-        sigma_shape=common_sigma(sigmas) if resolved.any() else math.nan,
+        shape=np.where(determined, shape, complex(np.nan, np.nan)),
+        sigma_frequency=float(uncertainty.poles[mode_index, 1]) / (2.0 * math.pi),
+        sigma_damping=float(uncertainty.poles[mode_index, 0]) / abs(pole),
+        sigma_shape=common_sigma(sigmas) if determined.any() else math.nan,
         found_in=found_in,
-        participation=modes.participation[m],
-        sigma_size=math.sqrt(max(covariance[largest, largest].real, 0.0) / 2.0) / abs(shape[largest])
-        if resolved.any()
+        participation=modes.participation[mode_index],
+        sigma_scale=math.sqrt(max(covariance[largest, largest].real, 0.0) / 2.0) / abs(shape[largest])
+        if determined.any()
         else math.nan,
     )
 
 
-def _stabilisation(by_order: list[OrderPoles], band: tuple[float, float]) -> Stabilisation:
-    orders = np.array([model.order for model in by_order], np.int64)
-    poles = tuple(model.poles[usable_poles(model.poles, *band)] for model in by_order)
+def _stabilisation(poles_by_order: list[OrderPoles], band: tuple[float, float]) -> Stabilisation:
+    orders = np.array([model.order for model in poles_by_order], np.int64)
+    poles = tuple(model.poles[usable_poles(model.poles, *band)] for model in poles_by_order)
     return Stabilisation(orders, tuple(order_poles[np.argsort(order_poles.imag)] for order_poles in poles))

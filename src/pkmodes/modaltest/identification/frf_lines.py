@@ -19,7 +19,7 @@ from pkmodes.modaltest.identification.frf_noise import (
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: Fewest lines in which a mode can be distinguished from noise.
+#: Minimum number of lines in which a mode can be distinguished from noise.
 MIN_LINES = 24
 #: Lines this close to a multiple of a tone are left out, in line spacings: a tone between two lines shows in both.
 TONE_REACH = 1.01
@@ -32,10 +32,10 @@ class FrequencyLines:
     """Functions to be fitted.
 
     - frequencies: (F,) [Hz]
-    - grid_index: on the grid of lines, (F,)
+    - grid_index: indices on the grid of lines, (F,)
     - H: (F, S, R); NaN where not measured
-    - variance: of the noise, (F, S, R), as far as known beforehand
-    - correlation: of the noise at lags of lines, if known
+    - variance: variance of the noise, (F, S, R), as far as known beforehand
+    - correlation: correlation of the noise at lags of lines, if known
     - has_absolute_variance: whether the variance is absolute, and not only right in its relative size
     """
 
@@ -68,7 +68,7 @@ def select_lines(
     H: Complex,
     coherence: Array | None,
     averages: int | None,
-    exponential: float | None,
+    window_time_constant: float | None,
     tones: Sequence[float],
     found_tones: Sequence[float] = (),
 ) -> tuple[FrequencyLines, Array]:
@@ -103,7 +103,11 @@ def select_lines(
             )
         variance = coherence_based
         variance = _moving_average(np.maximum(variance, 1e-3 * difference_variance(values)))
-    correlation = None if exponential is None else exponential_correlation(step, exponential, MAX_LAG * 4)
+    correlation = (
+        None
+        if window_time_constant is None
+        else exponential_correlation(step, window_time_constant, MAX_LAG * 4)
+    )
     grid_index = np.round((f[used] - f[0]) / step).astype(np.int64)
     return FrequencyLines(f[used], grid_index, values, variance, correlation, absolute), scale
 

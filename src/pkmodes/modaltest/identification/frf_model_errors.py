@@ -43,7 +43,7 @@ Index = NDArray[np.int64]
 NEIGHBOUR_DISTANCE, MAX_PEAK_REMAINDER = 1.0, 0.1
 #: A mode this much broader than the peak fits the remainder of its skirts, whatever its shape.
 BROAD_RATIO = 3.0
-#: Fewest sensors for comparing shapes: at fewer, shapes agree by chance.
+#: Minimum number of sensors for comparing shapes: at fewer, shapes agree by chance.
 MIN_SENSORS = 3
 #: If one mode fits the peak, this many others beside it are spurious even if their shapes differ.
 MIN_SPURIOUS_NEIGHBOURS = 2
@@ -53,34 +53,35 @@ STRONG_SHARE = 0.2
 SPURIOUS_RATIO = 8.0
 #: The error is estimated from lines this far apart: between closer ones, noise is correlated too.
 LAG = 2 * MAX_LAG
-#: Fewest pairs of lines, and peaks, from which an error is estimated: what is at one peak alone may be a mode.
+#: Minimum number of pairs of lines, and peaks, from which an error is estimated: what is at one peak alone may be a
+#: mode.
 MIN_PAIRS, MIN_PEAKS = 2 * LAG, 2
 #: Number of standard deviations above which an estimated error is real.
 SIGNIFICANT_SIGMAS = 4.0
-#: Most modes mentioned in a message.
+#: Maximum number of modes mentioned in a message.
 MAX_FREQUENCIES_NAMED = 4
 
 
 class ModesWithoutErrors(NamedTuple):
     """Modes without spurious ones.
 
-    - bounds: without the error
+    - uncertainty: uncertainty without the error
     - error: largest fraction of the functions at a peak that the modes do not explain and that is not noise
     - spurious_frequencies: frequencies of the spurious ones [Hz], ascending
     """
 
     modes: IdentifiedModes
-    bounds: Uncertainty
+    uncertainty: Uncertainty
     error: float
     spurious_frequencies: Array
 
 
 def drop_model_errors(
-    data: FrequencyLines, modes: IdentifiedModes, bounds: Uncertainty, low: float, high: float
+    data: FrequencyLines, modes: IdentifiedModes, uncertainty: Uncertainty, low: float, high: float
 ) -> ModesWithoutErrors:
     """Return the modes without those that only fit an error of the model.
 
-    - modes, bounds: as returned by `refine`
+    - modes, uncertainty: as returned by `refine`
     - low, high: range of frequencies that a mode may have [Hz]
     """
     spurious: list[float] = []
@@ -88,18 +89,18 @@ def drop_model_errors(
         drop := _spurious_on_skirts(data, modes)
     ).any():
         spurious += modes.frequencies[drop].tolist()
-        modes, bounds = refine(data, modes.select(~drop), low, high)
+        modes, uncertainty = refine(data, modes.select(~drop), low, high)
     error = float(np.nan_to_num(peak_errors(data, modes)).max(initial=0.0))
-    return ModesWithoutErrors(modes, bounds, error, np.sort(spurious))
+    return ModesWithoutErrors(modes, uncertainty, error, np.sort(spurious))
 
 
-def add_model_error(modes: IdentifiedModes, bounds: Uncertainty, error: float) -> Uncertainty:
+def add_model_error(modes: IdentifiedModes, uncertainty: Uncertainty, error: float) -> Uncertainty:
     """Return uncertainties including the effect of an error, a fraction of the functions, on each pole and shape.
 
     The shape of a weak mode beside a strong one has an error in proportion to the strong one.
     """
     half_width = np.abs(modes.poles.real)
-    poles = np.hypot(bounds.poles, error * half_width[:, None])
+    poles = np.hypot(uncertainty.poles, error * half_width[:, None])
     response_size = np.abs(modes.response(modes.poles.imag / (2.0 * math.pi)))
     power = np.abs(modes.participation) ** 2
     total_power = np.maximum(power.sum(axis=1), 1e-300)[:, None]
@@ -108,7 +109,9 @@ def add_model_error(modes: IdentifiedModes, bounds: Uncertainty, error: float) -
         axis=2
     )
     return replace(
-        bounds, poles=poles, shapes=bounds.shapes + spread[:, :, None] * np.eye(response_size.shape[1])
+        uncertainty,
+        poles=poles,
+        shapes=uncertainty.shapes + spread[:, :, None] * np.eye(response_size.shape[1]),
     )
 
 

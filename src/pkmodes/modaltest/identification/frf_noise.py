@@ -106,7 +106,7 @@ def residual_correlation(
     scaled.
 
     - residuals: relative to the noise of each channel, each (F, C)
-    - grid_indices: of the lines on the grid, ascending, each (F,)
+    - grid_indices: indices of the lines on the grid, ascending, each (F,)
     - removed_spaces: orthonormal columns that each fit has removed, each (F, K)
     """
     sums, removed_sums, pairs = (

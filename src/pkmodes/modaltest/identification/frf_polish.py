@@ -27,7 +27,7 @@ Complex = NDArray[np.complex128]
 #: Coefficients of the smooth part at each channel: a cubic leaves 1 % of the curvature of a mode that lies one window
 #: width outside the window.
 SMOOTH_TERMS = 4
-#: Most steps: Gauss-Newton converges in a few or, for modes that the lines do not resolve, not at all.
+#: Maximum number of steps: Gauss-Newton converges in a few or, for modes that the lines do not resolve, not at all.
 MAX_STEPS = 25
 #: Relative decrease of the cost that ends the iteration: far below what one line's noise contributes.
 CONVERGED_CHANGE = 1e-7
@@ -72,8 +72,8 @@ def make_window(frequencies: Array, H: Complex, weights: Array, sigma: Array) ->
     - weights: inverse variances, (S, R)
     - sigma: relative noise of the lines, (F,)
     """
-    middle, half = frequencies.mean(), 0.5 * float(np.ptp(frequencies))
-    powers = np.vander((frequencies - middle) / half, SMOOTH_TERMS)
+    middle, half_range = frequencies.mean(), 0.5 * float(np.ptp(frequencies))
+    powers = np.vander((frequencies - middle) / half_range, SMOOTH_TERMS)
     smooth = np.linalg.qr(powers / sigma[:, None])[0].astype(complex)
     used_weights = np.where(np.isfinite(H).all(axis=0), weights, 0.0)
     values = np.where(used_weights > 0.0, H, 0.0) / sigma[:, None, None]
@@ -129,7 +129,7 @@ def derivative_columns(shapes: Complex, participation: Complex) -> tuple[NDArray
     which sets the scale.
 
     Returns, in this order:
-    - functions: of `pole_basis`, (P,)
+    - functions: functions of `pole_basis`, (P,)
     - channels: (P, S, R)
     """
     (N, S), R = shapes.shape, participation.shape[1]
@@ -140,9 +140,9 @@ def derivative_columns(shapes: Complex, participation: Complex) -> tuple[NDArray
             channel = np.zeros((S, R), complex)
             channel[s] = participation[m]
             channels.append(channel)
-    for m, fixed in enumerate(np.abs(participation).argmax(axis=1)):
+    for m, scale_index in enumerate(np.abs(participation).argmax(axis=1)):
         for r in range(R):
-            if r != fixed:
+            if r != scale_index:
                 functions.append(m)
                 channel = np.zeros((S, R), complex)
                 channel[:, r] = shapes[m]
@@ -178,9 +178,11 @@ def _least_squares_shapes(window: Window, poles: Complex, participation: Complex
     for s, w in enumerate(window.weights):
         matrix = gram * ((participation.conj() * w) @ participation.T)
         right_side = (participation.conj() * w * X[:, s]).sum(axis=1)
-        size = np.sqrt(np.maximum(matrix.diagonal().real, 1e-300))
-        scaled_solution = np.linalg.lstsq(matrix / (size[:, None] * size), right_side / size, rcond=1e-12)[0]
-        shapes[:, s] = scaled_solution / size
+        scales = np.sqrt(np.maximum(matrix.diagonal().real, 1e-300))
+        scaled_solution = np.linalg.lstsq(
+            matrix / (scales[:, None] * scales), right_side / scales, rcond=1e-12
+        )[0]
+        shapes[:, s] = scaled_solution / scales
     return shapes
 
 
@@ -191,8 +193,8 @@ def _apply_step(
     S, R = shapes.shape[1], participation.shape[1]
     new_participation = participation.copy()
     participation_step = step[N + N * S :].reshape(N, R - 1)
-    for m, fixed in enumerate(np.abs(participation).argmax(axis=1)):
-        new_participation[m, np.arange(R) != fixed] += participation_step[m]
+    for m, scale_index in enumerate(np.abs(participation).argmax(axis=1)):
+        new_participation[m, np.arange(R) != scale_index] += participation_step[m]
     return poles + step[:N], shapes + step[N : N + N * S].reshape(N, S), new_participation
 
 

@@ -24,10 +24,10 @@ from pkmodes.modaltest.identification.estimates import complex_mac
 from pkmodes.modaltest.identification.frf_covariance import (
     Uncertainty,
     channel_covariance,
+    fit_uncertainty,
     poles_by_reference,
     removed_columns,
     residual,
-    uncertainty,
     variance_between_groups,
 )
 from pkmodes.modaltest.identification.frf_lines import FrequencyLines
@@ -46,7 +46,7 @@ REACH_HALF_WIDTHS = 10.0
 MIN_SIDE_LINES = 24
 #: and at most this many in a window: a mode over more lines is determined equally well by every second or third.
 MAX_WINDOW_LINES = 400
-#: Most sweeps: the fits of neighbours settle in two or three, and each dropped mode needs another.
+#: Maximum number of sweeps: the fits of neighbours settle in two or three, and each dropped mode needs another.
 MAX_SWEEPS = 10
 #: Relative change of the poles in a sweep, in units of their damping, below which the fits have settled.
 SETTLED_CHANGE = 1e-3
@@ -102,15 +102,15 @@ class GroupFit:
 
 
 def refine(
-    data: FrequencyLines, start: IdentifiedModes, low: float, high: float
+    data: FrequencyLines, initial_modes: IdentifiedModes, low: float, high: float
 ) -> tuple[IdentifiedModes, Uncertainty]:
     """Return the modes that remain of candidates, with the uncertainty of their fit.
 
-    - start: candidates; their shapes are not used
+    - initial_modes: candidates; their shapes are not used
     - low, high: range of frequencies that a mode may have [Hz]
     """
     threshold = energy_threshold(data)
-    modes, has_settled = start, False
+    modes, has_settled = initial_modes, False
     for _ in range(MAX_SWEEPS):
         previous = modes
         fits, modes = _sweep(data, modes)
@@ -120,8 +120,8 @@ def refine(
         for fitted in fits:
             dropped[fitted.members] |= not np.isfinite(fitted.fit.cost)
         if not dropped.any():
-            bounds = _uncertainties(data, modes, fits)
-            dropped = _redundant_mask(modes, bounds.strength, fits, threshold)
+            uncertainty = _uncertainties(data, modes, fits)
+            dropped = _redundant_mask(modes, uncertainty.strength, fits, threshold)
             has_settled = bool(
                 (np.abs(modes.poles - previous.poles) < SETTLED_CHANGE * np.abs(modes.poles.real)).all()
             )
@@ -130,7 +130,7 @@ def refine(
             if not len(modes.poles):
                 break
         elif has_settled:
-            return modes, _add_reference_scatter(modes, bounds, fits)
+            return modes, _add_reference_scatter(modes, uncertainty, fits)
     if not len(modes.poles):
         empty, S = np.zeros(0), data.H.shape[1]
         return modes, Uncertainty(np.zeros((0, 2)), np.zeros((0, S, S), complex), empty)
@@ -138,9 +138,11 @@ def refine(
     return modes, _add_reference_scatter(modes, _uncertainties(data, modes, fits), fits)
 
 
-def fit_until_settled(data: FrequencyLines, start: IdentifiedModes) -> tuple[IdentifiedModes, Uncertainty]:
+def fit_until_settled(
+    data: FrequencyLines, initial_modes: IdentifiedModes
+) -> tuple[IdentifiedModes, Uncertainty]:
     """Return modes fitted until they no longer change, none of them dropped, with the uncertainty of their fit."""
-    modes = start
+    modes = initial_modes
     for _ in range(MAX_SWEEPS):
         previous = modes
         fits, modes = _sweep(data, modes)
@@ -149,16 +151,18 @@ def fit_until_settled(data: FrequencyLines, start: IdentifiedModes) -> tuple[Ide
     return modes, _add_reference_scatter(modes, _uncertainties(data, modes, fits), fits)
 
 
-def _add_reference_scatter(modes: IdentifiedModes, bounds: Uncertainty, fits: list[GroupFit]) -> Uncertainty:
+def _add_reference_scatter(
+    modes: IdentifiedModes, uncertainty: Uncertainty, fits: list[GroupFit]
+) -> Uncertainty:
     """Return uncertainties including the scatter between references, for modes that several of them see."""
     (N, R), magnitude = modes.participation.shape, np.abs(modes.poles)
     if R < 2:
-        return bounds
+        return uncertainty
     poles, variances = np.full((R, N), np.nan, complex), np.full((R, N), np.nan)
     for fitted in fits:
         poles[:, fitted.members], variances[:, fitted.members] = poles_by_reference(fitted.window, fitted.fit)
     pooled_modes = [m for m in range(N) if np.isfinite(variances[:, m]).sum() >= 2]
-    sigmas = bounds.poles.copy()
+    sigmas = uncertainty.poles.copy()
     for component in range(2):
         values, relative_variances = [], []
         for m in pooled_modes:
@@ -174,7 +178,7 @@ def _add_reference_scatter(modes: IdentifiedModes, bounds: Uncertainty, fits: li
         sigmas[:, component] = np.sqrt(
             sigmas[:, component] ** 2 + between_variance * magnitude**2 / reference_counts
         )
-    return replace(bounds, poles=sigmas)
+    return replace(uncertainty, poles=sigmas)
 
 
 def energy_threshold(
@@ -261,9 +265,11 @@ def _uncertainties(data: FrequencyLines, modes: IdentifiedModes, fits: list[Grou
             factor = np.sqrt(np.maximum(variance / np.maximum(own_variance, 1e-300), 1.0))
             factor = np.where(own_variance > 0.0, factor, 1.0)
             channels = channels * np.outer(factor, factor)
-        bounds = uncertainty(fitted.window, fitted.fit, channels, fitted.grid_index, correlation)
-        poles[fitted.members], shapes[fitted.members] = bounds.poles, bounds.shapes
-        strength[fitted.members] = bounds.strength
+        group_uncertainty = fit_uncertainty(
+            fitted.window, fitted.fit, channels, fitted.grid_index, correlation
+        )
+        poles[fitted.members], shapes[fitted.members] = group_uncertainty.poles, group_uncertainty.shapes
+        strength[fitted.members] = group_uncertainty.strength
     return Uncertainty(poles, shapes, strength)
 
 

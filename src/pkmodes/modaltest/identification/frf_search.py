@@ -24,7 +24,7 @@ Complex = NDArray[np.complex128]
 
 #: Half bandwidths tried, in line spacings: a filter loses 0.5 dB for a mode between two of them.
 HALF_WIDTHS = (0.35, 0.7, 1.4, 2.8, 5.6, 11.0, 22.0)
-#: Lines of a filter on each side: in half bandwidths, and the fewest.
+#: Lines of a filter on each side: in half bandwidths, and the minimum number.
 FILTER_REACH, MIN_FILTER_LINES = 6, 20
 #: Coefficients of the smooth part of each filter, as in the fit.
 SMOOTH_TERMS = 3

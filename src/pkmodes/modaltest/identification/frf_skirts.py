@@ -35,13 +35,13 @@ NARROW_HALF_WIDTH = 1.0
 MAX_CLUSTER_GAP = 5.0
 #: Lines used on each side.
 SIDE_LINES = 24
-#: Fewest lines from which skirts can be judged.
+#: Minimum number of lines from which skirts can be judged.
 MIN_LINES = 8
 #: Probability that noise alone produces skirts, and that it produces a line that is reported.
 FALSE_ALARM, TONE_FALSE_ALARM = 1e-3, 1e-9
 #: Largest relative difference between the residues of a mode's skirts and its peak: halfway from a mode to a tone.
 MAX_RESIDUE_DIFFERENCE = 0.5
-#: Least ratio of a damping to its standard deviation.
+#: Minimum ratio of a damping to its standard deviation.
 MIN_DAMPING_SIGMAS = 2.0
 
 

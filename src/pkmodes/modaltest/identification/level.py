@@ -44,26 +44,26 @@ BAND_REACH = 5.0
 SAMPLE_SPACING, SETTLING_TIME = 2.5, 2.5
 #: Factor by which z is sampled more finely to find the highest level.
 OVERSAMPLING = 4
-#: Fewest samples of a segment; fewest and most segments of a decay.
+#: Minimum number of samples of a segment; minimum and maximum number of segments of a decay.
 MIN_SAMPLES, MIN_SEGMENTS, MAX_SEGMENTS = 2, 6, 24
-#: Least factor by which the amplitude falls; it is followed while it stays above the noise by the second factor, and
-#: until it has fallen by the third, when 99 % of the energy is gone.
+#: Minimum factor by which the amplitude falls; it is followed while it stays above the noise by the second factor,
+#: and until it has fallen by the third, when 99 % of the energy is gone.
 MIN_FALL, MIN_NOISE_RATIO, MAX_FALL = 2.5, 6.0, 10.0
 #: A free decay: its logarithmic amplitude deviates from a parabola over time by no more than this (rms), and it
 #: decays at the mode's rate within this factor.
 MAX_DEVIATION, MAX_RATE_RATIO = 0.1, 2.0
 #: Factor by which another blow raises the level.
 BLOW_RISE = 2.0
-#: Most decays looked for in a record.
+#: Maximum number of decays looked for in a record.
 MAX_DECAYS = 12
 #: Probability that the scatter of a linear mode is mistaken for a change.
 FALSE_ALARM = 1e-4
 #: The change must continue, to this probability, after the first part of the fall of the logarithmic level: what a
 #: blow or the force of a sweep adds at the beginning of a decay shifts the frequency only there.
 FIRST_SHARE, LATER_FALSE_ALARM = 0.3, 0.01
-#: Least relative change of a frequency that is reported: less is below the effect of neighbours in a band-pass.
+#: Minimum relative change of a frequency that is reported: less is below the effect of neighbours in a band-pass.
 MIN_CHANGE = 1e-4
-#: Least relative noise of the frequency of a segment.
+#: Minimum relative noise of the frequency of a segment.
 ROUNDING = 1e-9
 
 
@@ -71,7 +71,7 @@ ROUNDING = 1e-9
 class Level:
     """The level of a mode in a record.
 
-    - amplitude: of the vibration along its shape, where most of its energy is; in the unit of the responses
+    - amplitude: amplitude of the vibration along its shape, where most of its energy is; in the unit of the responses
     - shift: how its frequency changes while it decays; None for no detectable change
     """
 
@@ -84,21 +84,21 @@ def levels(
     pieces: Sequence[Array],
     poles: Complex,
     shapes: Complex,
-    exponential: float | None = None,
+    window_time_constant: float | None = None,
 ) -> list[Level]:
     """Return the level of each mode, and how its frequency changes with it.
 
     - t_step: in s
     - pieces: responses, each (n_i, S); a gap begins another piece
-    - poles: of all identified modes, without the damping of a window, (N,) [1/s]
+    - poles: poles of all identified modes, without the damping of a window, (N,) [1/s]
     - shapes: in the scale of the responses, (N, S); NaN where undetermined
-    - exponential: time constant of a window that the responses have had [s]
+    - window_time_constant: time constant of a window that the responses have had [s]
 
     References
     ----------
     Feldman 1994.
     """
-    window_rate = 1.0 / exponential if exponential else 0.0
+    window_rate = 1.0 / window_time_constant if window_time_constant else 0.0
     spectra = [np.fft.rfft(piece - piece.mean(axis=0), axis=0) for piece in pieces]
     f = poles.imag / (2.0 * math.pi)
     mode_levels = []
@@ -152,49 +152,49 @@ def _free_decays(z: Complex, step: float, rate: float) -> Iterator[tuple[Complex
     if len(z) < OVERSAMPLING * MIN_SEGMENTS * MIN_SAMPLES + settling_samples:
         return
     noise, level = _noise_sigma(z[::OVERSAMPLING], OVERSAMPLING * step, rate), np.abs(z)
-    free = np.ones(len(z), bool)
+    free_mask = np.ones(len(z), bool)
     for _ in range(MAX_DECAYS):
-        top = int(np.argmax(np.where(free, level, 0.0)))
-        first = end = min(top + settling_samples, len(z) - 1)
+        highest = int(np.argmax(np.where(free_mask, level, 0.0)))
+        first = end = min(highest + settling_samples, len(z) - 1)
         lowest = max(MIN_NOISE_RATIO * noise, level[first] / MAX_FALL)
-        while end < len(z) and free[end] and level[end] > lowest:
+        while end < len(z) and free_mask[end] and level[end] > lowest:
             end += 1
-        last = max(end - 1, top)
+        last = max(end - 1, highest)
         rises = np.flatnonzero(level[last:] > BLOW_RISE * np.minimum.accumulate(level[last:]))
-        free[top : last + int(rises[0]) if rises.size else len(level)] = False
-        part = z[first:end:OVERSAMPLING]
-        if len(part) >= MIN_SEGMENTS * MIN_SAMPLES and _is_free_decay(part, OVERSAMPLING * step, rate):
-            yield part, noise
+        free_mask[highest : last + int(rises[0]) if rises.size else len(level)] = False
+        decay = z[first:end:OVERSAMPLING]
+        if len(decay) >= MIN_SEGMENTS * MIN_SAMPLES and _is_free_decay(decay, OVERSAMPLING * step, rate):
+            yield decay, noise
 
 
 def _noise_sigma(z: Complex, step: float, rate: float) -> float:
     """Return the standard deviation of the noise, from the last part of z without a decay."""
-    tail = z[-max(len(z) // 8, 6) :]
-    decay = np.exp(-rate * step * np.arange(len(tail)))
-    basis = np.stack([decay, decay * np.arange(len(tail))], axis=1)
-    remainder = tail - basis @ np.linalg.lstsq(basis, tail, rcond=None)[0]
-    return float(np.sqrt((np.abs(remainder) ** 2).sum() / max(len(tail) - 2, 1)))
+    last_part = z[-max(len(z) // 8, 6) :]
+    decay = np.exp(-rate * step * np.arange(len(last_part)))
+    basis = np.stack([decay, decay * np.arange(len(last_part))], axis=1)
+    remainder = last_part - basis @ np.linalg.lstsq(basis, last_part, rcond=None)[0]
+    return float(np.sqrt((np.abs(remainder) ** 2).sum() / max(len(last_part) - 2, 1)))
 
 
-def _is_free_decay(part: Complex, step: float, rate: float) -> bool:
-    t, level = step * np.arange(len(part)), np.log(np.abs(part))
+def _is_free_decay(decay: Complex, step: float, rate: float) -> bool:
+    t, level = step * np.arange(len(decay)), np.log(np.abs(decay))
     fit = np.polynomial.Polynomial.fit(t, level, 2)
-    smooth = float(np.sqrt(np.mean((level - fit(t)) ** 2))) < MAX_DEVIATION
+    is_smooth = float(np.sqrt(np.mean((level - fit(t)) ** 2))) < MAX_DEVIATION
     matches_rate = rate / MAX_RATE_RATIO < (level[0] - level[-1]) / t[-1] < rate * MAX_RATE_RATIO
-    return bool(smooth and matches_rate and fit(t[0]) - fit(t[-1]) > math.log(MIN_FALL))
+    return bool(is_smooth and matches_rate and fit(t[0]) - fit(t[-1]) > math.log(MIN_FALL))
 
 
-def _segments(part: Complex, step: float, noise: float, window_rate: float) -> Segments:
+def _segments(decay: Complex, step: float, noise: float, window_rate: float) -> Segments:
     """Return the frequency and amplitude of each segment of a decay, neighbours without common samples."""
-    count = min(len(part) // MIN_SAMPLES, MAX_SEGMENTS)
-    phase = np.unwrap(np.angle(part))
-    level = np.log(np.abs(part)) + window_rate * step * np.arange(len(part))  # without the window
+    count = min(len(decay) // MIN_SAMPLES, MAX_SEGMENTS)
+    phase = np.unwrap(np.angle(decay))
+    level = np.log(np.abs(decay)) + window_rate * step * np.arange(len(decay))  # without the window
     frequencies, variances, means = [], [], []
-    for indices in np.array_split(np.arange(len(part)), count):
+    for indices in np.array_split(np.arange(len(decay)), count):
         t = step * (indices - indices.mean())
         slope = t / (t @ t) / (2.0 * math.pi)
         frequencies.append(float(slope @ phase[indices]))
-        variances.append(0.5 * noise**2 * float((slope**2 / np.abs(part[indices]) ** 2).sum()))
+        variances.append(0.5 * noise**2 * float((slope**2 / np.abs(decay[indices]) ** 2).sum()))
         means.append(float(level[indices].mean()))
     return Segments(np.array(frequencies), np.array(variances), np.array(means))
 
@@ -222,7 +222,7 @@ class Segments:
     """Segments of a decay, (n,).
 
     - frequency: relative to that of the mode [Hz]
-    - variance: from the noise [Hz^2]
+    - variance: variance from the noise [Hz^2]
     - level: logarithm of the amplitude
     """
 

@@ -49,7 +49,7 @@ def lscf(frequencies: Array, H: Complex, weights: Array, orders: Sequence[int]) 
 
     - frequencies: ascending, even or not, (F,) [Hz]
     - H: finite, (F, S, R)
-    - weights: of each output's lines, (F, S): the inverse of the standard deviation of their noise
+    - weights: weights of each output's lines, (F, S): the inverse of the standard deviation of their noise
     - orders: each at least 1; order n has n R poles
 
     References

@@ -18,7 +18,7 @@ class IdentifiedModes:
 
     - poles: (N,) [1/s]
     - shapes: at any scale, (N, S); NaN where not measured
-    - participation: of the references, (N, R); its product with the shape is the residue
+    - participation: participations of the references, (N, R); its product with the shape is the residue
     """
 
     poles: Complex

@@ -23,8 +23,8 @@ MAX_SHIFT = 0.03
 class RequestedModes:
     """Frequencies that the user names [Hz].
 
-    - strike: of modes that are not real: they are not fitted together with an added mode
-    - add: at which a mode is fitted
+    - strike: frequencies of modes that are not real: they are not fitted together with an added mode
+    - add: frequencies at which a mode is fitted
     """
 
     strike: tuple[float, ...] = ()

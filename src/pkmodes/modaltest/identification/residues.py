@@ -29,22 +29,27 @@ class Residues(IdentifiedModes):
     """Modes with residual terms: shapes phi, which are those of the displacement, and participations L.
 
     - upper, lower: U and D, (S, R), NaN where not measured
-    - power: p
+    - derivative_order: p
     """
 
     upper: Complex
     lower: Complex
-    power: int
+    derivative_order: int
 
     def response(self, frequencies: Array) -> Complex:
         """Return the synthesised functions, (F, S, R), at frequencies [Hz]."""
         w = 2.0 * math.pi * frequencies[:, None, None]
         total = super().response(frequencies) + self.upper - self.lower / w**2
-        return np.asarray((1j * w) ** self.power * total)
+        return np.asarray((1j * w) ** self.derivative_order * total)
 
 
 def lsfd(
-    frequencies: Array, H: Complex, weights: Array, poles: Complex, participations: Complex, power: int
+    frequencies: Array,
+    H: Complex,
+    weights: Array,
+    poles: Complex,
+    participations: Complex,
+    derivative_order: int,
 ) -> Residues:
     """Fit shapes and residual terms.
 
@@ -53,7 +58,7 @@ def lsfd(
     - weights: inverse standard deviations of the lines, (F, S)
     - poles: (N,) [1/s]
     - participations: participations, at any scale, (N, R)
-    - power: p
+    - derivative_order: p
 
     References
     ----------
@@ -61,7 +66,7 @@ def lsfd(
     """
     (F, S, R), N = H.shape, len(poles)
     s: Complex = np.asarray(2j * math.pi * frequencies, dtype=complex)
-    derivative: Complex = np.asarray(s**power, dtype=complex)
+    derivative: Complex = np.asarray(s**derivative_order, dtype=complex)
     pole_terms, conjugate_terms = (derivative[:, None] / (s[:, None] - p) for p in (poles, poles.conj()))
     shapes = np.full((N, S), np.nan, complex)
     upper, lower = np.full((S, R), np.nan, complex), np.full((S, R), np.nan, complex)
@@ -87,15 +92,15 @@ def lsfd(
         residual_terms = solution[2 * N :].reshape(measured.size, 4)
         upper[o, measured] = residual_terms[:, 0] + 1j * residual_terms[:, 1]
         lower[o, measured] = residual_terms[:, 2] + 1j * residual_terms[:, 3]
-    return Residues(poles, shapes, participations, upper, lower, power)
+    return Residues(poles, shapes, participations, upper, lower, derivative_order)
 
 
 def fit_residual_terms(
-    frequencies: Array, H: Complex, weights: Array, modes: IdentifiedModes, power: int
+    frequencies: Array, H: Complex, weights: Array, modes: IdentifiedModes, derivative_order: int
 ) -> Residues:
     """Fit the residual terms alone, to known modes of the displacement; see `lsfd`."""
     s: Complex = np.asarray(2j * math.pi * frequencies, dtype=complex)
-    derivative: Complex = np.asarray(s**power, dtype=complex)
+    derivative: Complex = np.asarray(s**derivative_order, dtype=complex)
     remainder = H - derivative[:, None, None] * modes.response(frequencies)
     columns = _residual_columns(derivative, s)[:, [0, 2]]
     upper, lower = np.full(H.shape[1:], np.nan, complex), np.full(H.shape[1:], np.nan, complex)
@@ -109,7 +114,7 @@ def fit_residual_terms(
             A / column_norms, remainder[:, o, measured] * weights[:, o, None], rcond=None
         )[0]
         upper[o, measured], lower[o, measured] = solution / column_norms[:, None]
-    return Residues(modes.poles, modes.shapes, modes.participation, upper, lower, power)
+    return Residues(modes.poles, modes.shapes, modes.participation, upper, lower, derivative_order)
 
 
 def _residual_columns(derivative: Complex, s: Complex) -> Complex:

@@ -37,20 +37,20 @@ from pkmodes.modaltest.identification.requested_modes import (
 )
 
 Array = NDArray[np.float64]
-#: Least standard deviation in line spacings.
+#: Minimum standard deviation in line spacings.
 MIN_SIGMA = 0.29
-#: Power of the frequency in the slow factor, and its least and largest value.
+#: Power of the frequency in the slow factor, and its minimum and maximum.
 SLOPE, SLOPE_LIMITS = 2, (0, 4)
 #: Lines on either side of a peak that are fitted.
 SIDE_LINES = 4
 #: Largest median of the absolute second difference of ln P over the lines: 1.34 for a single record with Hann's
 #: window and 1.95 without one, 0.85 for two averages with it, 0.4 for ten; peaks span too few lines to matter.
 MAX_SCATTER = 1.1
-#: Least ratio of a peak to the higher of the two lowest points between it and higher power on either side.
+#: Minimum ratio of a peak to the higher of the two lowest points between it and higher power on either side.
 MIN_PROMINENCE = 1.6
-#: Least height of a peak that the user requests, relative to the background it stands on.
+#: Minimum height of a peak that the user requests, relative to the background it stands on.
 MIN_REQUESTED_HEIGHT = 0.25
-#: Least power of a mode, relative to the highest in the band.
+#: Minimum power of a mode, relative to the highest in the band.
 MIN_POWER = 3e-3
 
 
@@ -92,21 +92,21 @@ def identify_spectrum(
     _check_averaged(P)
     total = P.sum(axis=1)
     peaks = [_fit_peak(f, total, k) for k in _prominent_maxima(total)]
-    merged, messages = _merge_peaks(
+    merged_peaks, messages = _merge_peaks(
         [peak for peak in peaks if peak is not None], float(np.median(np.diff(f)))
     )
     added = tuple(_fit_requested(f, total, target) for target in edits.add)
     added_peaks = [peak for peak in added if isinstance(peak, _Peak)]
     for peak in added_peaks:
         replaced_index = index_to_replace(
-            [kept_peak.frequency for kept_peak in merged], edits, peak.frequency
+            [kept_peak.frequency for kept_peak in merged_peaks], edits, peak.frequency
         )
         if replaced_index is not None:
-            del merged[replaced_index]
-    modes = tuple(_to_mode(peak, P.shape[1]) for peak in merged)
+            del merged_peaks[replaced_index]
+    modes = tuple(_to_mode(peak, P.shape[1]) for peak in merged_peaks)
     stabilisation = Stabilisation(np.zeros(0, np.int64), ())
-    fitted_power = np.array([_peak_density(f, peak) - peak.floor for peak in (*merged, *added_peaks)])
-    fitted_power = fitted_power.reshape(len(merged) + len(added_peaks), len(f)).sum(axis=0)
+    fitted_power = np.array([_peak_density(f, peak) - peak.floor for peak in (*merged_peaks, *added_peaks)])
+    fitted_power = fitted_power.reshape(len(merged_peaks) + len(added_peaks), len(f)).sum(axis=0)
     share = P / np.where(total > 0.0, total, 1.0)[:, None]
     synthesised = (fitted_power[:, None] * share)[:, :, None].astype(complex)
     added_modes = tuple(
@@ -138,8 +138,8 @@ def _fit_requested(f: Array, total: Array, target: float) -> _Peak | str:
 
 def _check_averaged(P: Array) -> None:
     """Refuse spectra (F, S) whose neighbouring lines scatter as those of a single record."""
-    alive = P[:, (P > 0.0).all(axis=0)]
-    scatter = np.median(np.abs(np.diff(np.log(alive), 2, axis=0))) if alive.size else 0.0
+    nonzero_spectra = P[:, (P > 0.0).all(axis=0)]
+    scatter = np.median(np.abs(np.diff(np.log(nonzero_spectra), 2, axis=0))) if nonzero_spectra.size else 0.0
     if scatter > MAX_SCATTER:
         raise MeasurementError(
             "expected an averaged spectrum, found lines that scatter as those of a single record do",
@@ -164,8 +164,10 @@ def _prominent_maxima(total: Array) -> list[int]:
 
 
 def _peak_density(f: Array, peak: _Peak, slope: int = SLOPE) -> Array:
-    slow = (f / peak.frequency) ** slope * (2.0 * peak.frequency / (f + peak.frequency)) ** 2
-    return np.asarray(peak.height * slow / (1.0 + ((f - peak.frequency) / peak.width) ** 2) + peak.floor)
+    slow_factor = (f / peak.frequency) ** slope * (2.0 * peak.frequency / (f + peak.frequency)) ** 2
+    return np.asarray(
+        peak.height * slow_factor / (1.0 + ((f - peak.frequency) / peak.width) ** 2) + peak.floor
+    )
 
 
 def _fit_peak(f: Array, total: Array, k: int) -> _Peak | None:
@@ -197,8 +199,8 @@ def _fit_peak(f: Array, total: Array, k: int) -> _Peak | None:
     freedom = max(len(f_fit) - 4, 1)
     jacobian = np.asarray(result.jac)
     covariance = np.linalg.pinv(jacobian.T @ jacobian) * 2.0 * result.cost / freedom
-    least, largest = sorted(float(solve(slope).x[0]) for slope in SLOPE_LIMITS)
-    uniform = (largest - least) / math.sqrt(12.0)
+    smallest, largest = sorted(float(solve(slope).x[0]) for slope in SLOPE_LIMITS)
+    uniform = (largest - smallest) / math.sqrt(12.0)
     sigma = math.hypot(MIN_SIGMA * step, min(math.sqrt(max(covariance[0, 0], 0.0)), step), uniform)
     return _Peak(best.frequency, sigma, best.height, best.width, best.floor)
 

@@ -59,7 +59,7 @@ class OrderModes:
 def hankel(correlations: Complex, blocks: int) -> Complex:
     """Return the block Hankel matrix ((q + 1) S, q r) of correlations at successive lags.
 
-    - correlations: of S responses with r references, (2 q, S, r)
+    - correlations: correlations of S responses with r references, (2 q, S, r)
     - blocks: q
     """
     lag_index = np.arange(blocks + 1)[:, None] + np.arange(blocks)[None, :]

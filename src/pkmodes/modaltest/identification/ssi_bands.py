@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 #: Ratio of the upper to the lower end of a part of the band.
 PART_RATIO = 1.4
-#: Least width of a part in lines of the longest piece.
+#: Minimum width of a part in lines of the longest piece.
 MIN_LINES = 100
 #: Width of a guard relative to the part.
 GUARD_SHARE = 0.3
@@ -70,8 +70,8 @@ class SpectralLines:
     """Spectral lines of one piece of a record.
 
     - frequencies: in Hz, (F,)
-    - values: of a transform that is normalised such that the sum of |Y|^2 over the lines times their step is a mean
-      square, weighted by the share of the piece in the record, (F, S)
+    - values: values of a transform that is normalised such that the sum of |Y|^2 over the lines times their step is
+      a mean square, weighted by the share of the piece in the record, (F, S)
     """
 
     frequencies: Array
@@ -139,7 +139,7 @@ def correlations(
 ) -> Complex:
     """Return correlations (K, S, r) of a part of the band at lags in samples of its analytic signal.
 
-    - padded: of pieces padded to the same length
+    - padded: lines of pieces padded to the same length
     - references: combinations of the responses, (S, r)
     - lags: (K,)
     """

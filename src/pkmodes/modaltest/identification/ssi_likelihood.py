@@ -37,9 +37,9 @@ MAX_TRANSIENT_SCATTER = 0.25
 MAX_ODD_PART = 2.0
 #: Prior standard deviation of the odd part if the response is to noise, which mostly drives several modes.
 ODD_PART_PRIOR = 0.2
-#: Most iterations, and the change of the log-likelihood that ends them.
+#: Maximum number of iterations, and the change of the log-likelihood that ends them.
 MAX_STEPS, CONVERGED_CHANGE = 40, 1e-4
-#: Least decay rate, relative to the inverse of the record length.
+#: Minimum decay rate, relative to the inverse of the record length.
 MIN_RATE = 1e-2
 
 
@@ -48,7 +48,7 @@ class Powers:
     """Power of a modal coordinate on the lines of all pieces.
 
     - frequencies: in Hz, (F,)
-    - values: of a spectral density, at any scale, (F,)
+    - values: values of a spectral density, at any scale, (F,)
     - seconds: length of the piece of each line, (F,)
     """
 
@@ -61,8 +61,8 @@ class Powers:
 class PeakFit:
     """Peaks of a modal coordinate.
 
-    - frequencies, rates: of the damped vibrations, (m,) [Hz], and rates of decay [1/s]
-    - covariance: of frequency and logarithm of the rate, (m, 2, 2)
+    - frequencies, rates: frequencies of the damped vibrations [Hz], and rates of decay [1/s], (m,)
+    - covariance: covariance of frequency and logarithm of the rate, (m, 2, 2)
     - likelihood: the log-likelihood
     - scatter: variance of I / P: 1 for noise
     - density: P, (F,)
@@ -90,15 +90,15 @@ def fit_peaks(powers: Powers, frequencies: Sequence[float], rates: Sequence[floa
 def _fit(powers: Powers, frequencies: Sequence[float], rates: Sequence[float], transient: bool) -> PeakFit:
     m, power = len(frequencies), powers.values
     ends = powers.frequencies[[0, -1]]
-    middle, half = float(ends.mean()), float(0.5 * np.ptp(ends))
-    x = (powers.frequencies - middle) / half
+    middle, half_range = float(ends.mean()), float(0.5 * np.ptp(ends))
+    x = (powers.frequencies - middle) / half_range
     level = math.log(np.median(power) + 1e-300)
     heights = [
         math.log(power[np.argsort(np.abs(powers.frequencies - f))[:3]].mean() + 1e-300) for f in frequencies
     ]
     p = np.array([*frequencies, *np.log(rates), *heights, level - 0.7, 0.0, *([0.0] * m)])
     low = np.array([ends[0]] * m + [math.log(MIN_RATE / powers.seconds.max())] * m + [level - 40.0] * m)
-    high = np.array([ends[1]] * m + [math.log(2.0 * math.pi * half)] * m + [level + 40.0] * m)
+    high = np.array([ends[1]] * m + [math.log(2.0 * math.pi * half_range)] * m + [level + 40.0] * m)
     odd_limits = [MAX_ODD_PART] * m
     low = np.concatenate([low, [level - 40.0, -5.0], [-limit for limit in odd_limits]])
     high = np.concatenate([high, [level + 40.0, 5.0], odd_limits])
@@ -112,7 +112,7 @@ def _fit(powers: Powers, frequencies: Sequence[float], rates: Sequence[float], t
         fisher = slopes.T @ slopes + np.diag(prior)
         scale = np.diag(fisher) + 1e-9
         step = np.linalg.solve(fisher + np.diag(damping * scale + 1e-9), gradient)
-        step[:m] = np.clip(step[:m], -0.3 * half, 0.3 * half)
+        step[:m] = np.clip(step[:m], -0.3 * half_range, 0.3 * half_range)
         step[m:] = np.clip(step[m:], -1.5, 1.5)
         trial = np.clip(p + step, low, high)
         new_density, new_slopes = _density(trial, m, powers, x, transient)

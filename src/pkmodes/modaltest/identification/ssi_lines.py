@@ -24,7 +24,7 @@ from pkmodes.modaltest.identification.ssi_selection import RefinedMode
 from pkmodes.modaltest.identification.tones import Tone
 
 Array = NDArray[np.float64]
-#: Half width of the band that is followed: in half bandwidths, and the least in lines.
+#: Half width of the band that is followed: in half bandwidths, and the minimum in lines.
 BAND_HALF_WIDTHS, MIN_BAND_LINES = 3.0, 3.0
 #: Samples of the amplitude for each line of the band.
 OVERSAMPLING = 4
@@ -46,7 +46,7 @@ MAX_LOG_RATE_SIGMA = 0.36
 #: Damping ratio below which a peak is more likely a tone than a mode of a machine.
 MIN_DAMPING_RATIO = 5e-4
 #: A narrow peak at a multiple of half a line's frequency is an order of it: largest damping ratio, largest relative
-#: distance (plus a line), and most halves.
+#: distance (plus a line), and maximum number of halves.
 MAX_ORDER_DAMPING, ORDER_TOLERANCE, MAX_HALF_ORDERS = 0.003, 0.001, 12
 
 
@@ -68,8 +68,8 @@ def find_line_modes(
 ) -> dict[int, Tone]:
     """Return which modes are lines, or cannot be told from one, by index, with a message about each.
 
-    - pieces: of the record, without padding
-    - tones: those that were found before
+    - pieces: pieces of the record, without padding
+    - tones: tones that were found before
     """
     seconds = sum(1.0 / lines.step for lines in pieces)
     amplitudes = [amplitude_statistics(pieces, mode) for mode in modes]

@@ -43,7 +43,7 @@ ORDERS = tuple(range(1, 15))
 BLOCKS, FIRST_LAG = 20, 1
 #: Model orders tried for a shape: the one with the least standard deviation is taken.
 SHAPE_TRIALS = 4
-#: Most references, combinations of the responses.
+#: Maximum number of references, combinations of the responses.
 MAX_REFERENCES = 6
 #: Log-likelihood ratio above which a peak is more than a bump of noise: as in `ssi_selection`, but for about ten
 #: places instead of about a hundred.
@@ -84,19 +84,19 @@ def modes_of_part(
         correlations(record.padded, part, references, lags) / levels[:, None], blocks, ORDERS[-1]
     )
     orders = [modes_of_order(space, n) for n in ORDERS if n <= space.left.shape[1]]
-    by_order = []
+    poles_by_order = []
     for k, model in enumerate(orders):
         s = part.pole(model.values)
-        by_order.append(
+        poles_by_order.append(
             OrderPoles(s, (model.shapes * levels[:, None]).T, np.ones((len(s), 1), complex), ORDERS[k])
         )
         in_part = (s.imag >= 2 * math.pi * part.low) & (s.imag < 2 * math.pi * part.high)
         poles[k].append(s[in_part & (s.real < 0.0)])
     margins = 0.5 * (part.low - part.start), 0.5 * (part.stop - part.high)
-    clusters = pole_clusters(by_order, part.low - margins[0], part.high + margins[1])
+    clusters = pole_clusters(poles_by_order, part.low - margins[0], part.high + margins[1])
 
     def part_mode(mode: RefinedMode, pole: complex, count: int) -> PartMode:
-        distances = [np.abs(model.poles - pole).min() for model in by_order]
+        distances = [np.abs(model.poles - pole).min() for model in poles_by_order]
         nearest = tuple(_rescale(orders[k], levels) for k in np.argsort(distances)[:SHAPE_TRIALS])
         return PartMode(mode, part, nearest, references, count)
 
@@ -106,12 +106,14 @@ def modes_of_part(
     for frequency in edits.add:
         if part.low <= frequency <= part.high:
             outcome = fit_requested(
-                by_order, modes, edits, record.unpadded, (part.start, part.stop), frequency
+                poles_by_order, modes, edits, record.unpadded, (part.start, part.stop), frequency
             )
             if isinstance(outcome, str):
                 requested[frequency] = outcome
             else:
-                requested[frequency] = part_mode(outcome, outcome.pole, count_orders(by_order, outcome.pole))
+                requested[frequency] = part_mode(
+                    outcome, outcome.pole, count_orders(poles_by_order, outcome.pole)
+                )
     return [part_mode(mode, candidate.pole, candidate.order_count) for mode, candidate in selected], requested
 
 
@@ -167,7 +169,7 @@ def _strength(record: PreparedRecord, candidate: PoleCluster) -> float:
 
 
 def fit_requested(
-    by_order: Sequence[OrderPoles],
+    poles_by_order: Sequence[OrderPoles],
     modes: Sequence[RefinedMode],
     edits: RequestedModes,
     lines: Sequence[SpectralLines],
@@ -176,16 +178,16 @@ def fit_requested(
 ) -> RefinedMode | str:
     """Return the mode fitted from a frequency [Hz], or why there is none.
 
-    - modes: those found; those struck out, and the one that it replaces, are not fitted beside it
-    - lines: of pieces without padding
-    - ends: of the lines that may be used [Hz]
+    - modes: modes found; those struck out, and the one that it replaces, are not fitted beside it
+    - lines: lines of pieces without padding
+    - ends: ends of the range of lines that may be used [Hz]
     """
     f = np.array([mode.undamped for mode in modes])
     struck, replaced_index = struck_mask(f, edits), index_to_replace(f, edits, target)
     neighbours = [mode for i, mode in enumerate(modes) if not struck[i] and i != replaced_index]
     candidates = [
         starting_mode(complex(model.poles[k]), model.shapes[k])
-        for model in by_order
+        for model in poles_by_order
         for k in np.flatnonzero(
             usable_poles(model.poles, (1.0 - MAX_SHIFT) * target, (1.0 + MAX_SHIFT) * target)
         )

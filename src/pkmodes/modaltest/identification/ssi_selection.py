@@ -25,7 +25,7 @@ Complex = NDArray[np.complex128]
 #: Log-likelihood ratio above which a peak is more than a bump of noise: three parameters, tried at about a hundred
 #: places.
 SIGNIFICANT = 12.0
-#: Half range of a fit: in half bandwidths, and the least in lines.
+#: Half range of a fit: in half bandwidths, and the minimum in lines.
 HALF_WIDTHS, MIN_LINES = 10.0, 24.0
 #: Largest factor by which a modal filter may reduce a mode relative to noise; neighbours beyond it are fitted in the
 #: power.
@@ -47,8 +47,8 @@ HIGHEST_DAMPING = 0.2
 class RefinedMode:
     """A mode.
 
-    - frequency, rate: of the damped vibration [Hz], rate of decay [1/s]
-    - covariance: of frequency and logarithm of the rate, (2, 2)
+    - frequency, rate: frequency of the damped vibration [Hz], rate of decay [1/s]
+    - covariance: covariance of frequency and logarithm of the rate, (2, 2)
     - shape: in the scale of the lines, (S,)
     - log_likelihood_ratio: logarithm of the ratio of likelihoods
     """
@@ -84,8 +84,8 @@ def refine(
 ) -> RefinedMode | None:
     """Return a mode refined beside its neighbours, None if no peak of its own remains.
 
-    - lines: of pieces without padding
-    - ends: of the lines that may be used [Hz]
+    - lines: lines of pieces without padding
+    - ends: ends of the range of lines that may be used [Hz]
     - min_ratio: least log-likelihood ratio
     """
     seconds = max(1.0 / piece.step for piece in lines)

@@ -49,7 +49,7 @@ def mode_sigmas(
 ) -> ModeSigmas:
     """Return the standard deviations of mode i of a model order.
 
-    - lines: of the pieces of the record, without padding
+    - lines: lines of the pieces of the record, without padding
     - references: (S, r)
     - first_lag: first lag of the Hankel matrix
     - scales: factors from responses to components of the shape, (S,)

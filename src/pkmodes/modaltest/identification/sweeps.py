@@ -20,9 +20,9 @@ from pkmodes.modaltest.identification.level import demodulate, shape_filter
 from pkmodes.modaltest.identification.ssi_bands import SpectralLines
 from pkmodes.modaltest.identification.ssi_selection import RefinedMode
 
-#: Half width of the band-pass: in half bandwidths of the peak, and the least relative to the frequency.
+#: Half width of the band-pass: in half bandwidths of the peak, and the minimum relative to the frequency.
 BAND_HALF_WIDTHS, MIN_BAND_WIDTH = 3.0, 0.015
-#: Distance at which a line has passed a peak: in half bandwidths, and the least relative to the half width of the
+#: Distance at which a line has passed a peak: in half bandwidths, and the minimum relative to the half width of the
 #: band-pass, within which noise shifts a frequency.
 PASSED_HALF_WIDTHS, MIN_PASSED_DISTANCE = 1.75, 0.25
 #: Power, relative to the highest, below which a line is gone.
@@ -31,7 +31,7 @@ GONE_POWER = 1e-3
 FADED_POWER = 0.1
 #: Fraction of the time in which a mode rings down to `GONE_POWER`: a line that is gone earlier is gone at once.
 SUDDEN_SHARE = 0.5
-#: Least share of the power near a frequency that is in one pass, and longest pass as a fraction of the record.
+#: Minimum share of the power near a frequency that is in one pass, and longest pass as a fraction of the record.
 MIN_PASS_SHARE, MAX_PASS_LENGTH = 0.6, 0.25
 #: Standard deviations of the kernel of the band-pass over which a frequency is averaged.
 AVERAGING_TIME = 2.0
@@ -40,7 +40,7 @@ AVERAGING_TIME = 2.0
 def is_at_line_end(lines: SpectralLines, t_step: float, mode: RefinedMode) -> bool:
     """Return whether the line of a sweep begins, ends, turns back or stands still at a mode.
 
-    - lines: of the longest piece, without padding
+    - lines: lines of the longest piece, without padding
     - t_step: between samples [s]
     """
     width = mode.rate / (2.0 * math.pi)

@@ -24,9 +24,9 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Least power of a line relative to the median of its surroundings, and the half width of these in lines.
+#: Minimum power of a line relative to the median of its surroundings, and the half width of these in lines.
 MIN_PEAK_RATIO, SURROUNDING_LINES = 40.0, 40
-#: Segments, and least share of a tone's power that has constant complex amplitude.
+#: Segments, and minimum share of a tone's power that has constant complex amplitude.
 SEGMENTS, MIN_CONSTANT_SHARE = 12, 0.85
 #: A stated tone is searched within this fraction of its frequency, plus this many lines.
 SEARCH_SHARE, SEARCH_LINES = 0.003, 2.0
@@ -41,8 +41,8 @@ ARITHMETIC_TOLERANCE = 1e-9
 MAX_POWER_RATIO = 1.25
 #: Rounding of any arithmetic, relative to the mean square of the record: no instrument has a range of 140 dB.
 ARITHMETIC_ROUNDING = 1e-14
-#: Least power of a line at a strong tone, relative to that of the rounding; lines that it may affect on either side;
-#: and largest share of all lines that strong tones may affect.
+#: Minimum power of a line at a strong tone, relative to that of the rounding; lines that it may affect on either
+#: side; and largest share of all lines that strong tones may affect.
 STRONG_TONE_POWER, AFFECTED_LINES, MAX_AFFECTED_SHARE = 100.0, 40, 0.25
 
 
@@ -181,7 +181,7 @@ def find_only_tones(
 
     - t_step: in s
     - pieces, remainders: the record, and its remainder without its tones, each (N, S)
-    - tones: those that were found in and near the band
+    - tones: tones that were found in and near the band
     - band: in Hz
     """
     piece_index = max(range(len(pieces)), key=lambda i: len(pieces[i]))

@@ -37,12 +37,12 @@ from pkmodes.modaltest.signals.zip_files import open_zip
 T = TypeVar("T")
 #: A time and three accelerations.
 Row = tuple[float, float, float, float]
-#: Most bytes of an unpacked record: a base, plus this multiple of its file's size; and in all.  A table of measured
-#: numbers compresses to no less than a tenth of its size.
+#: Maximum size of an unpacked record in bytes: a base, plus this multiple of its file's size; and of all together.  A
+#: table of measured numbers compresses to no less than a tenth of its size.
 BASE_SIZE, MAX_EXPANSION, MAX_UNPACKED_SIZE = 16_000_000, 20, 500_000_000
 #: Bytes unpacked at a time, each of which may become 32,000; and the window to which a file may refer back.
 BLOCK_SIZE, MAX_WINDOW = 128, 1 << 23
-#: Most files in an archive, and measurements in a file.
+#: Maximum number of files in an archive, and measurements in a file.
 MAX_FILES = 20_000
 #: Bytes of samples read at once, and what separates two samples.
 PART_SIZE, ROW_END = 1 << 16, re.compile(rb"(\])\s*,\s*(?=\[)")

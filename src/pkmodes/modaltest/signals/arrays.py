@@ -84,7 +84,7 @@ def find_functions(
     """Return the functions that variables hold; only the values of requested ones are read.
 
     - file_kind: kind of the file, for messages
-    - size: of the file [bytes], which limits the size of its unpacked arrays
+    - size: size of the file [bytes], which limits the size of its unpacked arrays
 
     Raises MeasurementError if there are no times, frequencies or rate, or arrays do not belong together.
     """
@@ -119,7 +119,9 @@ def find_functions(
     abscissa = None if abscissa_name is None else _abscissa(load(abscissa_name), f"{source}: {abscissa_name}")
     if abscissa is not None and kind is FunctionKind.TIME and counts_samples(abscissa):
         rate = _rate(rate_variable, request, source)
-        messages += [] if rate is None else [f"{source}: {abscissa_name} counts samples, of {rate:g} Hz"]
+        if rate is not None:
+            note = f"{abscissa_name} counts samples: the rate of {rate:g} Hz gives the times"
+            messages.append(f"{source}: {note}")
     if rate is not None:
         abscissa = even_times((requested or signals)[0].length, rate)
     assert abscissa is not None
@@ -162,7 +164,7 @@ def _find_signals(
     """Return the signals in variables, and descriptions of those without any.
 
     - abscissa: name of the times, frequencies or rate, which are no signals
-    - count: of the times or frequencies, if known
+    - count: number of times or frequencies, if known
     """
     # Of arrays of times, sensors and measurements: the number of measurements, if they agree.
     counts = {v.shape[2] for v in variables.values() if v.shape is not None and len(v.shape) == 3}
@@ -254,7 +256,7 @@ def _signals_of_variable(
 ) -> list[_Signal]:
     """Return the signals in a variable.
 
-    - count: of the times or frequencies, if known
+    - count: number of times or frequencies, if known
     - measurement_count: if it is the force: number of measurements in the file
     """
     shape, lengths = variable.shape or (), variable.lengths

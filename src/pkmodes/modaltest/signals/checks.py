@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.modaltest.signals.functions import Array
 
-#: Fewest points: a frequency response needs two lines for a spacing, a signal two samples for a rate.
+#: Minimum number of points: a frequency response needs two lines for a spacing, a signal two samples for a rate.
 MIN_POINTS = 2
 #: Largest distance of a coherence from the range 0 to 1: rounding of sums over a thousand averages in single
 #: precision, or of four decimals.  More is another quantity, or another unit.

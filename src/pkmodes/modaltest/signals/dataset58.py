@@ -22,7 +22,7 @@ from pkmodes.modaltest.signals.checks import check_abscissa, check_finite
 from pkmodes.modaltest.signals.functions import Array, Complex
 from pkmodes.modaltest.signals.scanning import INCOMPLETE, BinaryLayout, Scanner, decode_line, read_numbers
 
-#: Fewest lines of the header.
+#: Minimum number of lines of the header.
 MIN_HEADER_LINES = 11
 #: Suffixes of the names of degrees of freedom by the number of their direction.
 DIRECTIONS = {
@@ -55,9 +55,9 @@ class Header:
 
     - function: type of the function
     - response, reference: node and direction
-    - complex, double, even: of the values, their precision, and the spacing of the abscissa
+    - complex, double, even: whether the values are complex, in double precision, and at even abscissas
     - count: number of points
-    - start, step: of an even abscissa
+    - start, step: start and step of an even abscissa
     - abscissa, ordinate, denominator: their quantities and units
     """
 

@@ -15,7 +15,7 @@ from pkmodes.core.support.ordering import listed
 #: The signal in time besides sensors, and the names that a file may replace: see `SignalRequest.names`.
 FORCE = "force"
 RESERVED_NAMES = ("time", "frequency", FORCE)
-#: Most names in a file that an error shows.
+#: Maximum number of names in a file that an error shows.
 MAX_NAMES = 12
 
 Array = NDArray[np.float64]
@@ -41,10 +41,10 @@ class Function:
     - reference: name of the excitation, likewise; empty where there is none, or it has no name
     - abscissa: strictly ascending, (n,): time [s], or frequency [Hz]
     - values: complex128 for a frequency response, float64 otherwise, (n,)
-    - unit: of the values, of a frequency response that of its numerator; None where the file does not state it
-    - reference_unit: of the denominator of a frequency response; None where the file does not state it
+    - unit: unit of the values; of a frequency response, that of its numerator; None where the file does not state it
+    - reference_unit: unit of the denominator of a frequency response; None where the file does not state it
     - force: whether this is the excitation, in time
-    - assumed: whether the file states the kind of its values but no unit: ``unit`` is then that of SI
+    - unit_assumed: whether the file states the kind of its values but no unit: ``unit`` is then that of SI
     """
 
     kind: FunctionKind
@@ -55,7 +55,7 @@ class Function:
     unit: str | None
     reference_unit: str | None
     force: bool
-    assumed: bool = False
+    unit_assumed: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,7 +96,7 @@ def derived_function(
         unit,
         reference_unit,
         function.force,
-        function.assumed,
+        function.unit_assumed,
         load=lambda: compute(function.values),
     )
 
@@ -166,7 +166,7 @@ class SignalRequest:
         They follow `names`; otherwise a name that differs from a sensor's or ``force`` only in case is taken for it,
         if there is just one.
 
-        - where: for messages
+        - where: place in the file, for messages
 
         Raises MeasurementError if the file lacks a name that `names` gives, other than of a sensor.
         """

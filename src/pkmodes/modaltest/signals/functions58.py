@@ -46,36 +46,38 @@ UNREADABLE_TYPES = {
     11: "a probability density",
     12: "a spectrum without averages",
 }
-#: Specific data types: of an ordinate, and of an abscissa, for which 0 and 1 state nothing.
-FORCE_TYPE = 13
-TIME_TYPES, FREQUENCY_TYPES = (0, 1, 17), (0, 1, 18)
+#: Specific data type of the ordinate.
+FORCE_DATA_TYPE = 13
+#: Specific data types of the abscissa, where 0 and 1 (unknown, general) leave the quantity open.
+TIME_DATA_TYPES, FREQUENCY_DATA_TYPES = (0, 1, 17), (0, 1, 18)
 
 
 @dataclass
 class SharedAbscissas:
-    """Even abscissas in s or Hz by start, step and number of points: functions share them."""
+    """Even abscissas in s or Hz by start, step and number of points, so that functions share one array."""
 
-    shared: dict[tuple[float, float, int], Array] = field(default_factory=dict)
+    by_grid: dict[tuple[float, float, int], Array] = field(default_factory=dict)
 
-    def abscissa(self, points: Points, factor: float) -> Array:
+    def get(self, points: Points, factor: float) -> Array:
         """Return the abscissa of a dataset, times a factor.
 
-        Raises MeasurementError if an even one does not ascend, since its start is too large for its step.
+        Raises MeasurementError if an even abscissa does not ascend, because adding the step to so large a
+        start is lost in rounding.
         """
         if points.abscissa is not None:
             return points.abscissa * factor
         header = points.header
         key = (header.start * factor, header.step * factor, header.count)
-        if key not in self.shared:
-            even = np.arange(header.count, dtype=np.float64)
+        if key not in self.by_grid:
+            abscissa = np.arange(header.count, dtype=np.float64)
             with np.errstate(over="ignore"):
-                even *= key[1]  # in place: a long record fills much of the memory
-                even += key[0]
-            check_abscissa(even[:2], points.where)  # the ends are the farthest from 0, where rounding is
-            check_abscissa(even[-2:], points.where)
-            even.flags.writeable = False
-            self.shared[key] = even
-        return self.shared[key]
+                abscissa *= key[1]  # in place: a long record fills much of the memory
+                abscissa += key[0]
+            check_abscissa(abscissa[:2], points.where)  # rounding is worst at the ends, farthest from 0
+            check_abscissa(abscissa[-2:], points.where)
+            abscissa.flags.writeable = False
+            self.by_grid[key] = abscissa
+        return self.by_grid[key]
 
 
 def convert_values(values: Array | Complex, kind: FunctionKind) -> Array | Complex:
@@ -93,8 +95,8 @@ def to_function(
     """Return the function in a dataset 58.
 
     - points: the dataset
-    - units: of the file
-    - abscissas: of the functions before it; one is added
+    - units: units of the file
+    - abscissas: abscissas of the functions before it; that of this function is added
     - request: the request for the file
 
     Returns the function, None if its sensor is not requested, or why it is skipped.
@@ -105,33 +107,36 @@ def to_function(
     if kind is None:
         kinds = "none of time, frequency response, coherence and power spectrum"
         return f"function type {header.function} is {UNREADABLE_TYPES.get(header.function, kinds)}"
-    if header.abscissa.data_type not in (TIME_TYPES if kind is FunctionKind.TIME else FREQUENCY_TYPES):
-        return f"data type {header.abscissa.data_type} of its abscissa is not that of a {kind} function"
-    of_force = header.ordinate.data_type == FORCE_TYPE
-    if of_force and kind is FunctionKind.SPECTRUM:
+    if header.abscissa.data_type not in (
+        TIME_DATA_TYPES if kind is FunctionKind.TIME else FREQUENCY_DATA_TYPES
+    ):
+        data_type = header.abscissa.data_type
+        return f"its abscissa has data type {data_type}, which does not suit a {kind} function"
+    is_force_ordinate = header.ordinate.data_type == FORCE_DATA_TYPE
+    if is_force_ordinate and kind is FunctionKind.SPECTRUM:
         return "it is the spectrum of a force"
     response = dof_name(header.response)
-    force = of_force and kind is FunctionKind.TIME
-    if not (force or request.wants(response)):
+    is_force_signal = is_force_ordinate and kind is FunctionKind.TIME
+    if not (is_force_signal or request.wants(response)):
         return None
     factor = (seconds_in if kind is FunctionKind.TIME else hertz_in)(header.abscissa.label) or 1.0
-    abscissa = abscissas.abscissa(points, factor)
+    abscissa = abscissas.get(points, factor)
     points.check_finite(band_slice(abscissa, None if kind is FunctionKind.TIME else request.band))
     _check_kind(points, kind)
     unit, reference_unit = _units(header, kind, units)
-    assumed = not units.stated and header.ordinate.label.lower() in NO_UNIT
+    unit_assumed = not units.stated and header.ordinate.label.lower() in NO_UNIT
     # An auto spectrum states its own sensor as its reference, which is no excitation.
     is_auto_spectrum = kind is FunctionKind.SPECTRUM and header.reference == header.response
-    unnamed = kind is FunctionKind.TIME or is_auto_spectrum or header.reference == (0, 0)
+    lacks_reference = kind is FunctionKind.TIME or is_auto_spectrum or header.reference == (0, 0)
     fields: dict[str, Any] = {
         "kind": kind,
         "response": response,
-        "reference": "" if unnamed else dof_name(header.reference),
+        "reference": "" if lacks_reference else dof_name(header.reference),
         "abscissa": abscissa,
         "unit": unit,
         "reference_unit": reference_unit,
-        "force": force,
-        "assumed": assumed,
+        "force": is_force_signal,
+        "unit_assumed": unit_assumed,
     }
     values = points.values
     if isinstance(values, StoredPoints):

@@ -27,9 +27,9 @@ from pkmodes.modaltest.signals.variables import (
     refuse_values,
 )
 
-#: Deepest nesting of structs, and most links that are followed to an object.
+#: Maximum depth of nested structs, and maximum number of links that are followed to an object.
 MAX_DEPTH, MAX_LINKS = 8, 64
-#: Most bytes in the name of a class.
+#: Maximum number of bytes in the name of a class.
 MAX_CLASS_LENGTH = 64
 #: Number of the HDF5 filter that expands each byte to a thousand at most.
 DEFLATE = 1

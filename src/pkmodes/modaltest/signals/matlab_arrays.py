@@ -31,9 +31,10 @@ NUMERIC_CLASSES = range(6, 16)
 STRUCT = 2
 CLASSES = {1: "a cell array", STRUCT: "a struct", 3: "an object", 4: "text", 5: "a sparse matrix"}
 COMPLEX = 0x0800
-#: Bytes of a tag; and most bytes of the dimensions or name of a variable, and of the field names of a struct.
+#: Bytes of a tag; maximum size in bytes of the dimensions or the name of a variable, and of the field names of a
+#: struct.
 TAG_SIZE, MAX_PART_SIZE, MAX_FIELD_NAMES_SIZE = 8, MAX_NAME_LENGTH, 64 * MAX_VARIABLES
-#: Deepest nesting of structs.
+#: Maximum depth of nested structs.
 MAX_DEPTH = 8
 #: Bytes unpacked at once.
 BLOCK_SIZE = 1 << 16
@@ -162,7 +163,7 @@ def read_variables(file: BinaryIO, length: int) -> Iterator[FileVariable]:
     """Yield the variables of a MATLAB file.
 
     - file: open for reading
-    - length: of the file [bytes]
+    - length: length of the file [bytes]
 
     Raises DamagedError if its structure is not that of such a file.
     """
@@ -191,7 +192,7 @@ def _read_variable(
 ) -> Iterator[FileVariable]:
     """Yield a variable from its parts between two places, or the fields of a struct.
 
-    - field_name: of a field in a struct, whose parts have none
+    - field_name: name of a field in a struct, whose parts have none
     """
     parts = []
     for _ in range(3):

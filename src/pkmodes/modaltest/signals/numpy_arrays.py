@@ -28,7 +28,7 @@ NPY, NPZ = b"\x93NUMPY", b"PK\x03\x04"
 FILE_KIND, SINGLE_ARRAY = "NumPy", "data"
 #: Bytes at the beginning of an array, in which its header is.
 HEADER_SIZE = 1 << 14
-#: Most bytes of an array with fields, which is read as a whole.
+#: Maximum size in bytes of an array with fields, which is read as a whole.
 MAX_FIELDS_SIZE = 2_000_000_000
 
 

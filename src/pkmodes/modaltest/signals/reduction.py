@@ -15,7 +15,7 @@ from pkmodes.modaltest.signals.functions import Array
 
 #: Samples above which a record is reduced: shorter ones fit into the memory of any machine.
 MAX_SAMPLES = 2_000_000
-#: Least ratio of the new sampling rate to the highest frequency of interest.
+#: Minimum ratio of the new sampling rate to the highest frequency of interest.
 MIN_RATE_RATIO = 4.0
 #: Ratio of the end of the passband to that frequency; nothing is aliased into the passband.
 PASSBAND_RATIO = 1.5
@@ -28,7 +28,7 @@ BLOCK_SIZE = 4096
 def reduction_factor(samples: int, step: float, highest: float) -> int:
     """Return how many samples of a record become one: 1 for a record that is left as it is.
 
-    - samples: of the record
+    - samples: samples of the record
     - step: between its samples [s]
     - highest: highest frequency of interest [Hz]
     """

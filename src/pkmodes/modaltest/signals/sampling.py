@@ -36,7 +36,7 @@ STEP_TOLERANCE, MAX_MISSING_SHARE, SPLINE_NEIGHBOURS = 0.2, 0.1, 8
 #: Delay across a gap in uneven times of even samples, in samples, by which all times after it are later than all
 #: before it; and the fraction of the record examined on either side.
 MIN_DELAY, SIDE_SHARE = 2.0, 0.1
-#: Most gaps that are reported one by one.
+#: Maximum number of gaps that are reported one by one.
 MAX_GAPS_NAMED = 3
 #: Samples examined at once.
 PART_SIZE = 100_000
@@ -149,7 +149,7 @@ def even_pieces(
         )
     edges = [0, *(int(i) + 1 for i in splits), time.size]
     pieces = [
-        _piece(time, slice(low, high), breaks[is_bridged], counts[is_bridged])
+        _make_piece(time, slice(low, high), breaks[is_bridged], counts[is_bridged])
         for low, high in pairwise(edges)
         if high - low >= MIN_POINTS
     ]
@@ -164,7 +164,7 @@ def stated_pieces(time: Array, rate: float, where: str) -> tuple[tuple[Piece, ..
     From there on, all times are later.
 
     - time: strictly ascending, (n,) [s]
-    - rate: of sampling [Hz]
+    - rate: sampling rate [Hz]
     - where: the record, for messages
 
     Returns, in this order:
@@ -189,18 +189,18 @@ def stated_pieces(time: Array, rate: float, where: str) -> tuple[tuple[Piece, ..
     return pieces, _split_messages(time, gaps, 1.0 / rate, where)
 
 
-def _piece(time: Array, part: slice, gaps: NDArray[np.intp], steps: NDArray[np.intp]) -> Piece:
+def _make_piece(time: Array, samples: slice, gaps: NDArray[np.intp], steps: NDArray[np.intp]) -> Piece:
     """Return a part of a record with samples missing after `gaps`, each followed by the next one after `steps`."""
-    in_part = (gaps >= part.start) & (gaps < part.stop - 1)
-    count, numbers = part.stop - part.start, None
+    in_samples = (gaps >= samples.start) & (gaps < samples.stop - 1)
+    count, numbers = samples.stop - samples.start, None
     last = count - 1
-    if in_part.any():
+    if in_samples.any():
         step_counts = np.ones(count, dtype=np.intp)
         step_counts[0] = 0
-        step_counts[gaps[in_part] + 1 - part.start] = steps[in_part]
+        step_counts[gaps[in_samples] + 1 - samples.start] = steps[in_samples]
         numbers = np.cumsum(step_counts)
         last = int(numbers[-1])
-    return Piece(part, float(time[part.stop - 1] - time[part.start]) / last, numbers)
+    return Piece(samples, float(time[samples.stop - 1] - time[samples.start]) / last, numbers)
 
 
 def _split_messages(time: Array, breaks: NDArray[np.intp], usual_step: float, where: str) -> tuple[str, ...]:
@@ -249,16 +249,19 @@ def restore_even_times(time: Array) -> Array:
         return time
     mean_step = float(time[-1] - time[0]) / (time.size - 1)
     if not mean_step > 0.0 or all(
-        np.all(np.abs(np.diff(part) - mean_step) <= TOLERANCE * mean_step) for _, part in _parts(time)
+        np.all(np.abs(np.diff(part) - mean_step) <= TOLERANCE * mean_step)
+        for _, part in _overlapping_parts(time)
     ):
         return time
     last_digit = next((digit for digit in LAST_DIGITS if _are_multiples(time[-TAIL_SAMPLES:], digit)), 0.0)
-    even: Array = np.arange(time.size, dtype=float)  # in place: a long record fills much of the memory
-    even -= 0.5 * (time.size - 1)
-    even *= float(even @ time) / float(even @ even)
-    even += float(time.mean())
-    deviation = max(float(np.abs(part - even[low : low + part.size]).max()) for low, part in _parts(time))
-    return even if deviation <= MAX_ROUNDING * last_digit else time
+    restored: Array = np.arange(time.size, dtype=float)  # in place: a long record fills much of the memory
+    restored -= 0.5 * (time.size - 1)
+    restored *= float(restored @ time) / float(restored @ restored)
+    restored += float(time.mean())
+    deviation = max(
+        float(np.abs(part - restored[low : low + part.size]).max()) for low, part in _overlapping_parts(time)
+    )
+    return restored if deviation <= MAX_ROUNDING * last_digit else time
 
 
 def counts_samples(time: Array) -> bool:
@@ -269,7 +272,8 @@ def counts_samples(time: Array) -> bool:
 def _find_breaks(time: Array, usual_step: float, tolerance: float) -> NDArray[np.intp]:
     """Return the samples after which a step differs from the usual one by more than a tolerance."""
     breaks = [
-        low + np.flatnonzero(np.abs(np.diff(part) - usual_step) > tolerance) for low, part in _parts(time)
+        low + np.flatnonzero(np.abs(np.diff(part) - usual_step) > tolerance)
+        for low, part in _overlapping_parts(time)
     ]
     return np.concatenate(breaks)
 
@@ -277,7 +281,7 @@ def _find_breaks(time: Array, usual_step: float, tolerance: float) -> NDArray[np
 def _are_multiples(time: Array, unit: float) -> bool:
     """Return whether times are whole multiples of a unit, within the precision of numbers of their size."""
     tolerance = 0.05 + 4.0 * _precision(time) / unit
-    counts = (part / unit for _, part in _parts(time))
+    counts = (part / unit for _, part in _overlapping_parts(time))
     return tolerance < 0.5 and not any(
         np.any(np.abs(count - np.round(count)) > tolerance) for count in counts
     )
@@ -285,10 +289,14 @@ def _are_multiples(time: Array, unit: float) -> bool:
 
 def _precision(time: Array) -> float:
     """Return the spacing of floating-point numbers at the largest time, of single precision if all times fit it."""
-    tail = time[[0, *range(-min(TAIL_SAMPLES, time.size), 0)]]
-    single = tail.astype(np.float32)
-    largest = int(np.abs(tail).argmax())
-    return float(np.spacing((single if np.array_equal(single, tail) else tail)[largest]))
+    last_times = time[[0, *range(-min(TAIL_SAMPLES, time.size), 0)]]
+    in_single_precision = last_times.astype(np.float32)
+    largest = int(np.abs(last_times).argmax())
+    return float(
+        np.spacing(
+            (in_single_precision if np.array_equal(in_single_precision, last_times) else last_times)[largest]
+        )
+    )
 
 
 def _usual_step(time: Array) -> float:
@@ -297,7 +305,7 @@ def _usual_step(time: Array) -> float:
     return float(np.median(time[first + 1] - time[first]))
 
 
-def _parts(time: Array) -> Iterator[tuple[int, Array]]:
+def _overlapping_parts(time: Array) -> Iterator[tuple[int, Array]]:
     """Yield parts of the times that share a sample with the next, and the number of their first one.
 
     A long record fills much of the memory: nothing else here is as long.

@@ -60,7 +60,7 @@ class Scanner:
     """A universal file that is read from its beginning to its end.
 
     - file: open for reading
-    - size: of the file [bytes]
+    - size: size of the file [bytes]
     - source: the file, for messages
     """
 

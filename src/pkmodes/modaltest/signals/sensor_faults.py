@@ -8,14 +8,16 @@ import numpy as np
 
 from pkmodes.modaltest.signals.functions import Array
 
-#: Fewest samples at an extreme value for it to be examined; least ratio of these to the samples at any of the next
-#: values if the range was exceeded, and the number of next values.  A sine has a ratio of at most 2.4, noise less.
+#: Minimum number of samples at an extreme value for it to be examined; minimum ratio of these to the samples at any
+#: of the next values if the range was exceeded, and the number of next values.  A sine has a ratio of at most 2.4,
+#: noise less.
 MIN_EXTREME_SAMPLES, MIN_COUNT_RATIO, NEXT_VALUES = 10, 4.0, 3
 #: Values that differ by less than this fraction of the range are the same: files round them.
 VALUE_TOLERANCE = 1e-6
 #: An extreme value within this fraction of the range from the median is where the signal rests.
 MAX_REST_DISTANCE = 0.05
-#: Least fraction of a record for which a stopped sensor keeps its value, and least ratio to any other constant run.
+#: Minimum fraction of a record for which a stopped sensor keeps its value, and minimum ratio to any other constant
+#: run.
 MIN_STOPPED_SHARE, MIN_RUN_RATIO = 0.1, 10.0
 
 #: Samples examined at once.

@@ -1,4 +1,4 @@
-"""Tables of signals, frequency responses or spectra in text, such as data loggers, Klipper and pkmodes write."""
+"""Text tables of signals, frequency responses or spectra, as written by data loggers, Klipper and pkmodes."""
 
 from __future__ import annotations
 
@@ -40,21 +40,24 @@ from pkmodes.modaltest.signals.table_rates import (
 from pkmodes.modaltest.signals.table_text import TableText, check_text, split_table
 from pkmodes.modaltest.signals.units import hertz_in, quotient_units, radians_in, seconds_in, unit_text
 
-#: Most bytes of a table: larger ones would not fit into memory as text and as numbers.
+#: Maximum size of a table in bytes: a larger one would not fit into memory both as text and as numbers.
 MAX_FILE_SIZE = 1_000_000_000
-#: Phases without a unit are radians up to the first (from -pi to pi, or up to 2 pi), and degrees from the second.
+#: Phases without a unit are taken as radians up to MAX_RADIANS (from -pi to pi, or up to 2 pi), and as degrees from
+#: MIN_DEGREES; between the two, the file is refused.
 MAX_RADIANS, MIN_DEGREES = 2.0 * np.pi, 40.0
-#: Number of first bytes by which binary data are distinguished from text.
+#: Number of bytes read from the start of a file to tell text from binary data.
 HEAD_SIZE = 4096
-#: Statement of lost samples in any comment; other wordings are looked for only in lines beginning with ``##``.
+#: A comment that states lost samples.  Looser wordings (LOSS_WORD) count only in lines beginning with ``##``.
 LOST_SAMPLES = re.compile(
     r"\b(?:skipped|lost|missed|missing|dropped)[ _]samples?[ \t]*[:=][ \t]*0*[1-9]", re.IGNORECASE
 )
-LOSS = re.compile(r"\b(?:drop|overflow|over-?run|overrange|lost|loss|miss(?:ed|ing)|gap|clip)", re.IGNORECASE)
-NONE_LOST = re.compile(r"\b(?:no|none|without|never)\b", re.IGNORECASE)
-NUMBERS = re.compile(r"\d+(?:\.\d+)?")
-STATEMENT = re.compile(r"#\s*(unit|quantity|drives)\s*:(.*)", re.IGNORECASE)
-#: Most lines about lost samples that are reported, and most letters of each.
+LOSS_WORD = re.compile(
+    r"\b(?:drop|overflow|over-?run|overrange|lost|loss|miss(?:ed|ing)|gap|clip)", re.IGNORECASE
+)
+NEGATION = re.compile(r"\b(?:no|none|without|never)\b", re.IGNORECASE)
+NUMBER = re.compile(r"\d+(?:\.\d+)?")
+STATEMENT_COMMENT = re.compile(r"#\s*(unit|quantity|drives)\s*:(.*)", re.IGNORECASE)
+#: Maximum number of comments about lost samples that are reported, and of letters of each.
 MAX_LOSSES, MAX_LOSS_LENGTH = 20, 500
 #: A column: whole numbers may have a smaller type than double precision.
 Numbers = NDArray[Any]
@@ -77,151 +80,194 @@ def read_table(path: Path, request: SignalRequest) -> SignalFile:
 
 def parse_table(content: bytes, source: str, request: SignalRequest) -> SignalFile:
     """Return the signals in the content of a table: see `read_table`."""
-    frame = remove_frame(content, source)
+    unframed = remove_frame(content, source)
     del content
-    text = split_table(frame.content, source, request.columns)
-    frame_rate, losses = frame.rate, frame.losses
-    del frame  # other copies of the table
+    table = split_table(unframed.content, source, request.columns)
+    program_rate, losses = unframed.rate, unframed.losses
+    del unframed  # frees its copy of the content
     remarks = list[str]()
     if request.rate is None:
-        request = replace(request, rate=frame_rate)
-    elif frame_rate not in (None, request.rate):
-        remarks = [_rate_message(frame_rate, request.rate)]
-    has_rate = bool(find_rates(text.comments))
-    layout = find_layout(text.names, f"{source}: line {text.header_line}", request, has_rate=has_rate)
-    column_indices = [index for column in layout.columns for index in column.indices]
-    if layout.kind is FunctionKind.FRF and layout.abscissa is not None and text.may_have_gaps:
-        factor = _factor(layout, text)
-        text = text.without_gaps(
-            layout.abscissa, column_indices, lambda number: _needs_values(factor * number, request.band)
+        request = replace(request, rate=program_rate)
+    elif program_rate not in (None, request.rate):
+        remarks = [_rate_message(program_rate, request.rate)]
+    has_rate = bool(find_rates(table.comments))
+    layout = find_layout(table.names, f"{source}: line {table.header_line}", request, has_rate=has_rate)
+    if layout.kind is FunctionKind.FRF and layout.abscissa is not None and table.may_have_gaps:
+        factor = _abscissa_unit_factor(layout, table)
+        table = table.without_gaps(
+            layout.abscissa,
+            _column_indices(layout),
+            lambda number: _is_required_line(factor * number, request.band),
         )
-    read_columns = ([] if layout.abscissa is None else [layout.abscissa]) + column_indices
-    # The first column is still checked, so that a damaged table is not mistaken for one without these sensors.
-    if not read_columns:
-        read_columns = [0]
-    clock = layout.abscissa is not None and is_clock(text.cell(layout.abscissa))
-    numeric_columns = column_indices if clock and column_indices else read_columns
-    numbers: dict[int, Numbers] = dict(zip(numeric_columns, text.columns(numeric_columns), strict=True))
-    if clock:
-        assert layout.abscissa is not None
-        numbers[layout.abscissa] = _clock_times(layout.abscissa, text)
-    rows = numbers[read_columns[0]].size
-    if rows < MIN_POINTS:
-        problem = f"expected at least {MIN_POINTS} rows, found {rows}"
-        raise MeasurementError(problem, source, "export the whole measurement")
-    may_count = not (clock or layout.label) and layout.kind is FunctionKind.TIME
-    abscissa = None
-    if layout.abscissa is None or (may_count and counts_samples(numbers[layout.abscissa])):
-        abscissa, notes = _times_by_rate(layout, rows, text, request, frame_rate)
-        remarks += notes
-    if abscissa is None:  # without any statement to the contrary, times that count samples are seconds
-        abscissa = _abscissa(layout, numbers, text)
+    numbers = _read_numbers(layout, table)
+    abscissa = _make_abscissa(layout, numbers, table, request, program_rate, remarks)
     for column in layout.columns:
         if column.kind is FunctionKind.COHERENCE:
-            _check_coherence(column, numbers, text)
+            _check_coherence(column, numbers, table)
     channels = {f"{column.response}/{column.reference}".removesuffix("/") for column in layout.columns}
-    statements = _find_statements(text.comments, channels)
-    functions = tuple(_function(column, numbers, abscissa, statements, source) for column in layout.columns)
-    messages = tuple(f"{source}: {remark}" for remark in (*remarks, *_loss_messages(text.comments), *losses))
+    statements = _find_statements(table.comments, channels)
+    functions = tuple(
+        _make_function(column, numbers, abscissa, statements, source) for column in layout.columns
+    )
+    messages = tuple(f"{source}: {remark}" for remark in (*remarks, *_loss_messages(table.comments), *losses))
     return SignalFile(source, functions, (), messages, statements)
 
 
-def _times_by_rate(
-    layout: TableLayout, rows: int, text: TableText, request: SignalRequest, frame_rate: float | None
-) -> tuple[Array | None, list[str]]:
-    """Return the times of all rows by the rate of the record, or else of the file, and remarks; None without a rate.
+def _column_indices(layout: TableLayout) -> list[int]:
+    """Return the indices of the columns of all functions."""
+    return [index for column in layout.columns for index in column.indices]
 
-    A column that counts samples shows which are missing.
+
+def _has_clock_times(layout: TableLayout, table: TableText) -> bool:
+    """Return whether the times are times of day."""
+    return layout.abscissa is not None and is_clock(table.cell(layout.abscissa))
+
+
+def _read_numbers(layout: TableLayout, table: TableText) -> dict[int, Numbers]:
+    """Return the numbers in the columns of the abscissa and of all functions, by the index of the column."""
+    column_indices = _column_indices(layout)
+    # The first column is still checked, so that a damaged table is not mistaken for one without these sensors.
+    read_columns = ([] if layout.abscissa is None else [layout.abscissa]) + column_indices or [0]
+    has_clock_times = _has_clock_times(layout, table)
+    numeric_columns = column_indices if has_clock_times and column_indices else read_columns
+    numbers: dict[int, Numbers] = dict(zip(numeric_columns, table.columns(numeric_columns), strict=True))
+    if has_clock_times:
+        assert layout.abscissa is not None
+        numbers[layout.abscissa] = _clock_times(layout.abscissa, table)
+    row_count = numbers[read_columns[0]].size
+    if row_count < MIN_POINTS:
+        problem = f"expected at least {MIN_POINTS} rows, found {row_count}"
+        raise MeasurementError(problem, table.source, "export the whole measurement")
+    return numbers
+
+
+def _make_abscissa(
+    layout: TableLayout,
+    numbers: dict[int, Numbers],
+    table: TableText,
+    request: SignalRequest,
+    program_rate: float | None,
+    remarks: list[str],
+) -> Array:
+    """Return the times or frequencies of all rows, and add remarks about their rate.
+
+    - program_rate: rate [Hz] that the program stated outside the table
     """
-    rate, remarks = request.rate, list[str]()
-    if rate is None:
-        rate, remarks = stated_rate(text.comments, text.source)
-        if rate is None:
-            return None, remarks
-    elif rate != frame_rate:
-        contradicting = [stated for stated, _ in find_rates(text.comments) if not same_rate(stated, rate)]
-        remarks += [_rate_message(contradicting[0], rate)] if contradicting else []
+    may_be_sample_numbers = layout.kind is FunctionKind.TIME and not (
+        _has_clock_times(layout, table) or layout.abscissa_unit
+    )
+    rate = None
+    if layout.abscissa is None or (may_be_sample_numbers and counts_samples(numbers[layout.abscissa])):
+        rate = _choose_rate(table, request, program_rate, remarks)
+    if rate is None:  # without a stated rate, even sample numbers are taken as seconds
+        return _scaled_abscissa(layout, numbers, table)
+    row_count = next(iter(numbers.values())).size
+    return _times_by_rate(rate, layout, row_count, table, remarks)
+
+
+def _choose_rate(
+    table: TableText, request: SignalRequest, program_rate: float | None, remarks: list[str]
+) -> float | None:
+    """Return the rate that the campaign states for the record, or else the one stated in the file [Hz]."""
+    if request.rate is None:
+        rate, notes = stated_rate(table.comments, table.source)
+        remarks += notes
+        return rate
+    contradicting = [rate for rate, _ in find_rates(table.comments) if not same_rate(rate, request.rate)]
+    if contradicting and request.rate != program_rate:
+        remarks.append(_rate_message(contradicting[0], request.rate))
+    return request.rate
+
+
+def _times_by_rate(
+    rate: float, layout: TableLayout, row_count: int, table: TableText, remarks: list[str]
+) -> Array:
+    """Return the times of all rows at a rate [Hz]; a column that counts samples shows which samples are missing."""
     if layout.abscissa is not None:
-        remarks.append(f"its column {shown(text.names[layout.abscissa])} counts samples, of {rate:g} Hz")
-        return even_times(rows, rate), remarks
-    index = find_counter(text.names, [index for column in layout.columns for index in column.indices])
+        name = shown(table.names[layout.abscissa])
+        remarks.append(f"its column {name} counts samples: the rate of {rate:g} Hz gives the times")
+        return even_times(row_count, rate)
+    index = find_counter(table.names, [index for column in layout.columns for index in column.indices])
     if index is None:
-        return even_times(rows, rate), remarks
+        return even_times(row_count, rate)
     try:
-        (numbers,) = text.columns([index])
-    except MeasurementError:  # no column of the campaign: it may hold anything
-        return even_times(rows, rate), remarks
+        (numbers,) = table.columns([index])
+    except MeasurementError:  # the campaign does not use this column, so unreadable cells do not matter
+        return even_times(row_count, rate)
     positions = sample_positions(np.asarray(numbers, np.float64))
-    if positions is None or positions[-1] == rows - 1:
-        return even_times(rows, rate), remarks
-    missing = positions[-1] - rows + 1
-    remarks.append(f"its column {shown(text.names[index])} shows that {missing:.0f} samples are missing")
-    return positions / rate, remarks
+    if positions is None or positions[-1] == row_count - 1:
+        return even_times(row_count, rate)
+    missing = positions[-1] - row_count + 1
+    remarks.append(f"its column {shown(table.names[index])} shows that {missing:.0f} samples are missing")
+    return positions / rate
 
 
-def _abscissa(layout: TableLayout, numbers: dict[int, Numbers], text: TableText) -> Array:
+def _scaled_abscissa(layout: TableLayout, numbers: dict[int, Numbers], table: TableText) -> Array:
     """Return the times or frequencies of all rows."""
     assert layout.abscissa is not None
-    name = text.names[layout.abscissa]
+    name = table.names[layout.abscissa]
     abscissa = np.asarray(numbers[layout.abscissa], np.float64)
-    abscissa *= _factor(layout, text)  # in place: a long table fills much of the memory
+    abscissa *= _abscissa_unit_factor(layout, table)  # in place: a long table fills much of the memory
     if layout.kind is FunctionKind.TIME:
         abscissa = restore_even_times(abscissa)
     descending = np.flatnonzero(abscissa[1:] <= abscissa[:-1])
     if descending.size:
         row = int(descending[0]) + 1
         problem = f"expected ascending values, found {abscissa[row]:.10g} after {abscissa[row - 1]:.10g}"
-        where = f"{text.source}: line {text.line_of(row)}, column {name}"
+        where = f"{table.source}: line {table.line_of(row)}, column {name}"
         raise MeasurementError(problem, where, "sort the rows, and give each value once, with enough digits")
     return abscissa
 
 
-def _factor(layout: TableLayout, text: TableText) -> float:
-    """Return the factor of the times or frequencies to s or Hz."""
+def _abscissa_unit_factor(layout: TableLayout, table: TableText) -> float:
+    """Return the factor from the unit of the times or frequencies to s or Hz."""
     assert layout.abscissa is not None
     factor = (
-        (seconds_in if layout.kind is FunctionKind.TIME else hertz_in)(layout.label) if layout.label else 1.0
+        (seconds_in if layout.kind is FunctionKind.TIME else hertz_in)(layout.abscissa_unit)
+        if layout.abscissa_unit
+        else 1.0
     )
     if factor is None:
-        where = f"{text.source}: line {text.header_line}, column {text.names[layout.abscissa]}"
+        where = f"{table.source}: line {table.header_line}, column {table.names[layout.abscissa]}"
         expected = "time" if layout.kind is FunctionKind.TIME else "frequency"
         raise MeasurementError(
-            f"expected a unit of {expected}, found {shown(layout.label)}", where, "correct it"
+            f"expected a unit of {expected}, found {shown(layout.abscissa_unit)}", where, "correct it"
         )
     return factor
 
 
-def _needs_values(frequency: float, band: tuple[float, float] | None) -> bool:
-    """Return whether a line must have values: in the band or, without a band, above 0 Hz."""
+def _is_required_line(frequency: float, band: tuple[float, float] | None) -> bool:
+    """Return whether a frequency line must have values: in the band or, without a band, above 0 Hz."""
     return frequency > 0.0 if band is None else band[0] <= frequency <= band[1]
 
 
 def _rate_message(stated: float | None, requested: float) -> str:
-    return f"the file states a rate of {stated:g} Hz; that of the record, {requested:g} Hz, is used"
+    in_use = f"the rate given in the campaign's record, {requested:g} Hz, is used"
+    return f"the file states a rate of {stated:g} Hz; {in_use}"
 
 
-def _clock_times(column: int, text: TableText) -> Array:
-    """Return the seconds since the first time of a column of times of day."""
-    times, bad_row = parse_times(text.texts(column))
+def _clock_times(column: int, table: TableText) -> Array:
+    """Return the seconds since the first row, from a column of times of day."""
+    times, bad_row = parse_times(table.texts(column))
     if bad_row is not None:
-        cell = next(islice(text.texts(column), bad_row, None))
+        cell = next(islice(table.texts(column), bad_row, None))
         problem = f"expected a time, found {shown(cell) or 'nothing'}"
-        where = f"{text.source}: line {text.line_of(bad_row)}, column {text.names[column]}"
+        where = f"{table.source}: line {table.line_of(bad_row)}, column {table.names[column]}"
         raise MeasurementError(problem, where, "write each time as 2024-05-03 10:00:00.005, or in seconds")
     return times
 
 
-def _check_coherence(column: FunctionColumn, numbers: dict[int, Numbers], text: TableText) -> None:
+def _check_coherence(column: FunctionColumn, numbers: dict[int, Numbers], table: TableText) -> None:
     """Refuse a coherence outside 0 to 1, with its line."""
     (index,) = column.indices
     fault = find_invalid_coherence(numbers[index])
     if fault is not None:
         row, problem, remedy = fault
-        where = f"{text.source}: line {text.line_of(row)}, column {text.names[index]}"
+        where = f"{table.source}: line {table.line_of(row)}, column {table.names[index]}"
         raise MeasurementError(problem, where, remedy)
 
 
-def _function(
+def _make_function(
     column: FunctionColumn,
     numbers: dict[int, Numbers],
     abscissa: Array,
@@ -233,10 +279,10 @@ def _function(
     unit, reference_unit = unit_text(column.unit), None
     load: Callable[[], Array | Complex] = partial(np.asarray, parts[0], np.float64)
     if column.kind is FunctionKind.FRF:
-        load = partial(_complex, parts[0], parts[1])
+        load = partial(_from_real_imaginary, parts[0], parts[1])
         if column.polar:
             load = partial(
-                _polar, parts[0], parts[1], _phase_factor(column, parts[1], source), column.decibels
+                _from_polar, parts[0], parts[1], _phase_factor(column, parts[1], source), column.decibels
             )
         channel = f"{column.response}/{column.reference}".removesuffix("/")
         unit, reference_unit = quotient_units(column.unit or statements.get(f"unit {channel}", ""))
@@ -254,7 +300,7 @@ def _function(
     )
 
 
-def _complex(real: Numbers, imaginary: Numbers) -> Complex:
+def _from_real_imaginary(real: Numbers, imaginary: Numbers) -> Complex:
     values = np.empty(real.size, np.complex128)
     values.real, values.imag = real, imaginary
     return values
@@ -273,7 +319,7 @@ def _phase_factor(column: FunctionColumn, phase: Numbers, source: str) -> float:
     return factor
 
 
-def _polar(magnitude: Numbers, phase: Numbers, factor: float, decibels: bool) -> Complex:
+def _from_polar(magnitude: Numbers, phase: Numbers, factor: float, decibels: bool) -> Complex:
     """Return a frequency response from magnitude and phase."""
     amplitude = 10.0 ** (magnitude / 20.0) if decibels else magnitude
     return np.asarray(amplitude * np.exp(1j * factor * phase))
@@ -282,7 +328,7 @@ def _polar(magnitude: Numbers, phase: Numbers, factor: float, decibels: bool) ->
 def _find_statements(comments: Iterable[str], channels: Set[str]) -> dict[str, str]:
     """Return statements in comments as written by pkmodes: quantity, drives, and the unit of each channel."""
     statements = {}
-    for match in (STATEMENT.fullmatch(text.rstrip(" ,;\t")) for text in comments):
+    for match in (STATEMENT_COMMENT.fullmatch(comment.rstrip(" ,;\t")) for comment in comments):
         if match is None:
             continue
         word, value = match[1].lower(), match[2].strip()
@@ -299,21 +345,22 @@ def _find_statements(comments: Iterable[str], channels: Set[str]) -> dict[str, s
 def _loss_messages(comments: Iterable[str]) -> list[str]:
     """Return the comments that state lost or overloaded samples, unless they state that there are none."""
     losses, omitted = list[str](), 0
-    for text in comments:
-        if not (_states_losses(text) if text.startswith("##") else LOST_SAMPLES.search(text)):
+    for comment in comments:
+        if not (_states_losses(comment) if comment.startswith("##") else LOST_SAMPLES.search(comment)):
             continue
         if len(losses) < MAX_LOSSES:
-            losses.append(f"the file states: {text.lstrip('# ').strip()[:MAX_LOSS_LENGTH]}")
+            losses.append(f"the file states: {comment.lstrip('# ').strip()[:MAX_LOSS_LENGTH]}")
         else:
             omitted += 1
-    return [*losses, f"{omitted} more lines of it state such losses"] if omitted else losses
+    return [*losses, f"{omitted} more lines of the file state lost samples"] if omitted else losses
 
 
-def _states_losses(text: str) -> bool:
+def _states_losses(comment: str) -> bool:
     """Return whether some clause of a comment states losses."""
-    for clause in re.split(r"[,;|]", text.lstrip("#")):
-        counts = [float(number) for number in NUMBERS.findall(clause)]
-        if LOSS.search(clause) and not NONE_LOST.search(clause) and (any(counts) or not counts):
+    for clause in re.split(r"[,;|]", comment.lstrip("#")):
+        counts = [float(number) for number in NUMBER.findall(clause)]
+        states_loss = LOSS_WORD.search(clause) and not NEGATION.search(clause)
+        if states_loss and (not counts or any(counts)):  # a count of 0 is no loss
             return True
     return False
 

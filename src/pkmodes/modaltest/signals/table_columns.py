@@ -37,9 +37,9 @@ DECIBELS = "db"
 class FunctionColumn:
     """A function in a table.
 
-    - indices: of its one or two columns
-    - labels: of their units
-    - polar: whether the two are magnitude and phase
+    - indices: indices of its one or two columns
+    - labels: labels of their units
+    - polar: whether the two columns are magnitude and phase
     """
 
     kind: FunctionKind
@@ -63,10 +63,15 @@ class FunctionColumn:
 
 @dataclass(frozen=True)
 class TableLayout:
-    """The columns of a table: that of the abscissa, None without one, with the label of its unit, and the others."""
+    """The columns of a table.
+
+    - abscissa: index of the column of times or frequencies; None without one
+    - abscissa_unit: the label of its unit
+    - columns: the functions
+    """
 
     abscissa: int | None
-    label: str
+    abscissa_unit: str
     kind: FunctionKind
     columns: tuple[FunctionColumn, ...]
 
@@ -76,7 +81,7 @@ def find_layout(
 ) -> TableLayout:
     """Return the layout of a table's columns.
 
-    - cells: of the header, with units
+    - cells: cells of the header, with units
     - where: the line of the header, for messages
     - request: the request for the file
     - has_rate: whether the file states a rate, which stands in for times
@@ -115,9 +120,9 @@ def find_layout(
             if name == FORCE or request.wants(name)
         ]
     _refuse_repeated(columns, cells, where)
-    abscissa, label = next(iter(abscissas.items()), (None, ""))
+    abscissa, abscissa_unit = next(iter(abscissas.items()), (None, ""))
     return TableLayout(
-        abscissa, label, FunctionKind.FRF if frequencies else FunctionKind.TIME, tuple(columns)
+        abscissa, abscissa_unit, FunctionKind.FRF if frequencies else FunctionKind.TIME, tuple(columns)
     )
 
 

@@ -28,7 +28,7 @@ def split_parts(text: bytes, start: int = 0) -> Iterator[tuple[int, int]]:
 def change_parts(text: bytes, change: Callable[[bytes], bytes], start: int = 0, prefix: bytes = b"") -> bytes:
     """Return a text from an offset, changed part by part, as replacing a pattern takes many times its memory.
 
-    - change: of a part, which has whole lines
+    - change: function that changes a part, which has whole lines
     - prefix: text put before it
     """
     return b"".join([prefix, *(change(text[low:high]) for low, high in split_parts(text, start))])

@@ -41,14 +41,14 @@ HERTZ |= {"samples/s": 1.0, "samples/sec": 1.0, "samples per s": 1.0, "samples p
 LIMIT = re.compile(r"\b(?:max|maximum|min|minimum)\W*$", re.IGNORECASE)
 #: Rates that differ by less, relative, are the same.
 RATE_TOLERANCE = 1e-6
-#: Most statements that are read.
+#: Maximum number of statements that are read.
 MAX_STATEMENTS = 20
 #: Names of columns that count samples, in lower case.
 COUNTERS = frozenset(
     {"sample", "samples", "count", "counter", "index", "n", "no", "no.", "nr", "nr.", "number"}
 )
 COUNTERS |= {"sample number", "sample_number", "sample no", "sample_no", "sample index", "sample_index"}
-#: Least share of the steps of a counter that are one sample.
+#: Minimum share of the steps of a counter that are one sample.
 MIN_UNIT_STEP_SHARE = 0.9
 
 
@@ -99,7 +99,7 @@ def find_counter(names: Sequence[str], used: Sequence[int]) -> int | None:
 def sample_positions(numbers: Array) -> Array | None:
     """Return the position of each sample after the first, from its number; None if the numbers are something else.
 
-    - numbers: of samples, ascending, (n,); some may be missing
+    - numbers: numbers of samples, ascending, (n,); some may be missing
     """
     steps = np.diff(numbers)
     usual_step = float(np.median(steps)) if steps.size else 0.0

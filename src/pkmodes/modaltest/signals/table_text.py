@@ -39,7 +39,7 @@ INSIDE_LINES = re.compile(rb"\r(?![\r\n]|\Z)")
 GAP = re.compile(rb"[nN][aA][nN]|[iI][nN][fF]|[;,\t] *[;,\t\r\n]|^ *[;,\t]|[;,\t] *\Z", re.MULTILINE)
 MISSING = re.compile(r"[+-]?(?:nan|inf|infinity)|", re.IGNORECASE)
 REMEDY = "start with a row of names: time and the sensors, or frequency with re: and im: columns, or psd_x"
-#: Most columns of a table, and most letters of a column's name.
+#: Maximum number of columns of a table, and of letters of a column's name.
 MAX_COLUMNS, MAX_NAME_LENGTH = 10_000, 1000
 #: Characters of the empty lines of separators that spreadsheet programs leave at the end.
 EMPTY_CHARACTERS = b" \t,;\r\n"
@@ -52,7 +52,7 @@ class TableText:
     """The parts of a table.
 
     - source: the file, for messages
-    - separator: of its cells
+    - separator: separator of its cells
     - names: cells of the header
     - header_line: number of its line
     - head: the lines before the body

@@ -14,9 +14,9 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
-#: Bytes of a header, and most bytes of a name or of attributes.
+#: Bytes of a header, and maximum size of a name or of attributes.
 BLOCK_SIZE, MAX_NAME_SIZE = 512, 1 << 16
-#: Bytes unpacked at once; most bytes in all that are not in files; and most headers.
+#: Bytes unpacked at once; maximum number of bytes in all that are not in files; and of headers.
 PART_SIZE, MAX_OTHER_BYTES, MAX_HEADERS = 1 << 16, 1 << 26, 100_000
 #: First bytes of compressed archives, and the functions that open them.
 COMPRESSED: dict[bytes, Callable[..., Any]] = {b"\x1f\x8b": gzip.open, b"BZh": bz2.open}

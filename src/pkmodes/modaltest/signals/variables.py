@@ -14,14 +14,14 @@ from pkmodes.core.base.errors import MeasurementError
 T = TypeVar("T")
 #: Numbers of any type, as stored in files.
 Values = NDArray[Any]
-#: Most values read from a file, in all.
+#: Maximum number of values read from a file, in all.
 MAX_VALUES = 100_000_000
-#: Most bytes of unpacked arrays: a base, and this multiple of the file's size.  Measured signals of double precision
-#: compress to no less than a tenth of their size, except for constant channels.
+#: Maximum size of unpacked arrays in bytes: a base, and this multiple of the file's size.  Measured signals of double
+#: precision compress to no less than a tenth of their size, except for constant channels.
 BASE_SIZE, MAX_EXPANSION = 64_000_000, 20
-#: Most variables of a file, including the fields of its structs.
+#: Maximum number of variables of a file, including the fields of its structs.
 MAX_VARIABLES = 20_000
-#: Most letters of a name; MATLAB allows 63, and names of fields include those of all enclosing structs.
+#: Maximum number of letters of a name; MATLAB allows 63, and names of fields include those of all enclosing structs.
 MAX_NAME_LENGTH = 1024
 REMEDY = "save time or frequency, or fs, and a vector for each sensor or a matrix with a column for each"
 
@@ -29,8 +29,8 @@ REMEDY = "save time or frequency, or fs, and a vector for each sensor or a matri
 class FileVariable(NamedTuple):
     """A variable.
 
-    - description: for messages
-    - shape: of an array of numbers
+    - description: description for messages
+    - shape: shape of an array of numbers
     - load: returns the values of an array, columns one after the other, while the file is open.  Raises `ValueError`.
     - itemsize: bytes of a loaded value
     - reload: for whole numbers: returns the values again after the file was closed

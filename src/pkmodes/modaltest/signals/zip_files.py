@@ -6,7 +6,7 @@ import struct
 import zipfile
 from pathlib import Path
 
-#: Most bytes of the central directory: an entry has 46 and its name, and takes ten times as much memory.
+#: Maximum size of the central directory in bytes: an entry has 46 and its name, and takes ten times as much memory.
 MAX_DIRECTORY_SIZE = 1_000_000
 #: First bytes of the last record of an archive, and of that of an archive with more entries; their sizes, and the
 #: longest comment after the first.

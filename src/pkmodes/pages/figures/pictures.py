@@ -172,20 +172,22 @@ PICTURES = (
     PictureKind(
         "workspace",
         "Working plane and condition number",
-        "Left, outlines of the reachable volume at several heights, with the plane; right, the condition number of "
-        "the platform Jacobian in the plane, and its median over the part of the plane that can be reached.",
+        "Left, outlines of the reachable volume at several heights, with the plane; right, the condition "
+        "number of the platform Jacobian in the plane, and its median over the part of the plane that can be "
+        "reached.",
         lambda robot: workspace(robot.plane, reachable_volume(robot.model, robot.plane)),
         planar="The condition number of the platform Jacobian in the workspace, and its median.",
     ),
     PictureKind(
         "frequencies",
         "Natural frequencies",
-        "The range above a panel leaves out the lowest and the highest 2\N{NO-BREAK SPACE}% of the poses; its "
-        "colours span at least 5\N{NO-BREAK SPACE}% of the frequency. Triangles mark the lowest (down) and the "
-        "highest (up) frequency in the plane; squares are the motors, hollow ones at the edge those beyond it.",
+        "The range above a panel leaves out the lowest and the highest 2\N{NO-BREAK SPACE}% of the poses; "
+        "its colours span at least 5\N{NO-BREAK SPACE}% of the frequency. Triangles mark the lowest (down) "
+        "and the highest (up) frequency in the plane; squares are the motors, hollow ones at the edge those "
+        "beyond it.",
         lambda robot: maps.frequencies(robot.plane, motor_positions(robot.model, robot.plane)),
         addition=lambda robot: (
-            left_out.left_out_in_words(robot.plane.dataset)
+            left_out.exclusion_caption(robot.plane.dataset)
             + frequency_uncertainty(median_spread(robot.model, robot.plane, robot.drives))
         ),
     ),
@@ -219,8 +221,7 @@ PICTURES = (
     PictureKind(
         "mac",
         "MAC between neighbouring poses",
-        "The smallest MAC of each mode with the mode of the same number at the neighbouring poses: dark where shapes "
-        "change abruptly.",
+        "The smallest MAC of each mode with the mode of the same number at the neighbouring poses: dark where shapes change abruptly.",
         lambda robot: neighbouring_mac(robot.plane, smallest_mac(robot.model, robot.plane)),
     ),
 )

@@ -11,7 +11,7 @@ from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.robot.units import DISPLAY_UNITS
 from pkmodes.core.solve.fields import FIELDS
 from pkmodes.core.support.motors import motors_in_words
-from pkmodes.machine.maps.left_out import left_out_sentences
+from pkmodes.machine.maps.left_out import exclusion_sentences
 from pkmodes.machine.maps.summary import MIN_POSES_FOR_2_PERCENT, QUANTILES, quantiles_sentence
 from pkmodes.pages.plots.labels import MINUS, typeset
 from pkmodes.pages.report.blocks import Cell, Column, Summary, Table
@@ -55,7 +55,7 @@ def summary_of_map(model: Model, content: dict[str, Any]) -> Summary:
         f"{plural(count, 'pose')} cannot be evaluated: {model.reasons[code]}."
         for code, count in content["reasons"].items()
     ]
-    notes += [sentence.replace("= -", f"= {MINUS}") for sentence in left_out_sentences(content, units)]
+    notes += [sentence.replace("= -", f"= {MINUS}") for sentence in exclusion_sentences(content, units)]
     facts = [
         ("poses", Cell(group_thousands(content["poses"]), content["poses"], pointer("poses"))),
         (

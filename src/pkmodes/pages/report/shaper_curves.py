@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.ordering import joined
-from pkmodes.machine.shaping.measured_modes import WITHIN, MeasuredRinging
+from pkmodes.machine.shaping.measured_modes import SIGMA_RANGE, MeasuredRinging
 from pkmodes.machine.shaping.measured_spectrum import BAND_END, BAND_START, MeasuredSpectrum
 from pkmodes.machine.shaping.residual_vibration import residual
 from pkmodes.pages.plots import shapers
@@ -63,18 +63,18 @@ def frequency_figure(choice: Choice, spectrum: MeasuredSpectrum | None) -> tuple
         drawn_spectrum = shapers.Spectrum(spectrum.frequencies, before, after)
         directions = joined(list(map(clean, spectrum.directions)))
         caption += (
-            f" Behind them the amplitude of the measured spectrum, the square root of its power density summed over "
-            f"{directions}; and what is left of it if each frequency is a mode of its own."
+            " Behind them the amplitude of the measured spectrum, the square root of its power density summed "
+            f"over {directions}; and what is left of it if each frequency is a mode of its own."
         )
     if isinstance(ringing, MeasuredRinging):
         nominal, largest = (100.0 * share for share in ringing.left_of(best))
-        error_range = f"within {WITHIN:g} standard deviations"
+        error_range = f"within {SIGMA_RANGE:g} standard deviations"
         marked_modes = shapers.MarkedModes(
             ringing.data.frequency[ringing.rows], nominal, largest, error_range
         )
         caption += (
-            " Dots are what the recommended one leaves of the measured modes with their own damping; lines reach to "
-            f"the most {error_range} of frequency and damping ratio."
+            " Dots are what the recommended one leaves of the measured modes with their own damping; lines reach "
+            f"to the most {error_range} of frequency and damping ratio."
         )
     return shapers.over_frequency(frequencies, curves, drawn_spectrum, marked_modes), caption
 

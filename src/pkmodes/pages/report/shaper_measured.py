@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from pkmodes.core.base.numbers import plain
-from pkmodes.machine.shaping.measured_modes import WITHIN, of_measured
+from pkmodes.machine.shaping.measured_modes import SIGMA_RANGE, of_measured
 from pkmodes.machine.shaping.measured_spectrum import MeasuredSpectrum
 from pkmodes.machine.shaping.results import Choice
 from pkmodes.pages.report.blocks import Cell, Column, Section, Summary, Table
@@ -34,7 +34,7 @@ from pkmodes.pages.report.sources import Source
 from pkmodes.pages.report.tables import compact_table
 
 #: The range of errors for which everything is stated.
-ERROR_RANGE = f"within {WITHIN:g} standard deviations of its frequency and damping ratio"
+ERROR_RANGE = f"within {SIGMA_RANGE:g} standard deviations of its frequency and damping ratio"
 
 
 def measured_shaper_report(
@@ -70,7 +70,8 @@ def measured_shaper_summary(choice: Choice, content: dict[str, Any]) -> Summary:
     reason = (
         f"The recommended shaper, for {design_of(best)}, leaves at most {worst} of the vibration in each of the "
         f"{modes} at {poses}, {ERROR_RANGE}. {why_recommended(choice)} How much each mode takes part in a "
-        "movement is not in the table, so each counts in full: the share left of all of them together is no larger."
+        "movement is not in the table, so each counts in full: the share left of all of them together is no "
+        "larger."
     )
     facts = [
         ("lasts", Cell(f"{plain(1e3 * best.duration, 3)} ms", best.duration)),
@@ -83,7 +84,7 @@ def measured_shaper_summary(choice: Choice, content: dict[str, Any]) -> Summary:
             number_cell(remaining.worst, ".2g", pointer(*left_keys, "worst"), scale=100.0),
         ),
         (
-            f"most left of a mode within {WITHIN:g} \u03c3 [%]",
+            f"most left of a mode within {SIGMA_RANGE:g} \u03c3 [%]",
             number_cell(
                 remaining.worst_uncertain, ".2g", pointer(*left_keys, "worst_uncertain"), scale=100.0
             ),
@@ -101,7 +102,7 @@ def measured_shaper_summary(choice: Choice, content: dict[str, Any]) -> Summary:
 
 def shapers_table(choice: Choice) -> Table:
     """Return all shapers, and what each leaves."""
-    keys = {"rms": "rms [%]", "worst": "worst [%]", "worst_uncertain": f"worst, {WITHIN:g} \u03c3 [%]"}
+    keys = {"rms": "rms [%]", "worst": "worst [%]", "worst_uncertain": f"worst, {SIGMA_RANGE:g} \u03c3 [%]"}
     columns = [
         Column("shaper", numeric=False),
         Column("design [Hz]", numeric=False),
@@ -131,9 +132,9 @@ def shapers_table(choice: Choice) -> Table:
         cells.append(acceleration_cell(candidate, pointer(*shaper_keys, "max_acceleration"), unit=False))
         rows.append(cells)
     caption = (
-        "What shapers leave of the measured modes: the root mean square and the largest of all as measured, and the "
-        f"largest with each mode {ERROR_RANGE}. Where a shaped path turns back, it is rounded by this much for each "
-        "m/s\u00b2 of acceleration; max_accel [mm/s\u00b2] is what Klipper suggests."
+        "What shapers leave of the measured modes: the root mean square and the largest of all as measured, and "
+        f"the largest with each mode {ERROR_RANGE}. Where a shaped path turns back, it is rounded by this much "
+        "for each m/s\u00b2 of acceleration; max_accel [mm/s\u00b2] is what Klipper suggests."
     )
     return Table(caption, columns, rows, note="* The recommended one.", key_columns=2)
 
@@ -166,7 +167,7 @@ def modes_table(content: dict[str, Any], max_modes: int | None = None) -> Table:
             ]
         )
     columns = [Column("pose", numeric=False), Column("line"), Column("f [Hz]"), Column("damping ratio [%]")]
-    columns += [Column("left [%]"), Column(f"left, {WITHIN:g} \u03c3 [%]")]
+    columns += [Column("left [%]"), Column(f"left, {SIGMA_RANGE:g} \u03c3 [%]")]
     caption = (
         f"What the recommended shaper leaves of each measured mode: as measured, and at most {ERROR_RANGE}."
     )
