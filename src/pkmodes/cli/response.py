@@ -74,13 +74,15 @@ class ResponseOptions(OptionTable):
         "--inputs",
         metavar="NAME,...",
         required=True,
-        help="Inputs: torque_1 of a free motor, the prescribed angle motor_1 of a held motor, force_x on the platform, moment_x on a platform that turns.",
+        help="Inputs: torque_1 of a free motor, the prescribed angle motor_1 of a held motor, force_x on the "
+        "platform, moment_x on a platform that turns.",
     )
     outputs: str = option(
         "--outputs",
         metavar="NAME,...",
         required=True,
-        help="Outputs: p_x of the platform, r_x of a platform that turns, another direction of the platform such as nozzle=1:1:0, motor_1, or any coordinate.",
+        help="Outputs: p_x of the platform, r_x of a platform that turns, another direction of the platform such "
+        "as nozzle=1:1:0, motor_1, or any coordinate.",
     )
     frequencies: str = option(
         "--frequencies",
@@ -135,7 +137,8 @@ class ResponseOptions(OptionTable):
         type=PATH,
         reads="measured responses",
         needs=("figure", "report_to"),
-        help="Measured responses to draw over those of the model: a campaign file, which knows the names, a table like that of --out, a universal or a MATLAB file.",
+        help="Measured responses to draw over those of the model: a campaign file, which knows the names, a table "
+        "like that of --out, a universal or a MATLAB file.",
     )
     before: Path | None = option(
         "--before",
@@ -150,7 +153,8 @@ class ResponseOptions(OptionTable):
 
 
 @click.command(
-    epilog="\b\nExample:\n  pkmodes response robots/linear-delta-2022.toml --pose 0.6,0,-0.245 \\\n    --drives held --inputs motor_1,force_x --outputs p_x,p_z \\\n    --frequencies 5:400:1000"
+    epilog="\b\nExample:\n  pkmodes response robots/linear-delta-2022.toml --pose 0.6,0,-0.245 \\\n    --drives "
+    "held --inputs motor_1,force_x --outputs p_x,p_z \\\n    --frequencies 5:400:1000"
 )
 @ResponseOptions.add_to
 def response(options: ResponseOptions) -> None:

@@ -221,7 +221,8 @@ PICTURES = (
     PictureKind(
         "mac",
         "MAC between neighbouring poses",
-        "The smallest MAC of each mode with the mode of the same number at the neighbouring poses: dark where shapes change abruptly.",
+        "The smallest MAC of each mode with the mode of the same number at the neighbouring poses: dark "
+        "where shapes change abruptly.",
         lambda robot: neighbouring_mac(robot.plane, smallest_mac(robot.model, robot.plane)),
     ),
 )

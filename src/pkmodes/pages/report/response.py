@@ -21,7 +21,19 @@ from pkmodes.machine.response.resonances import strongest_drawn_resonance
 from pkmodes.pages.plots.labels import MINUS
 from pkmodes.pages.plots.responses import responses
 from pkmodes.pages.report.blocks import Block, Cell, Column, Picture, Section, Summary, Table
-from pkmodes.pages.report.formatting import clean, frequency_cell, number_cell, plural, pointer, shorten, three_digit_cell, to_sentence, uncertain_cell, unit_cell, unit_text
+from pkmodes.pages.report.formatting import (
+    clean,
+    frequency_cell,
+    number_cell,
+    plural,
+    pointer,
+    shorten,
+    three_digit_cell,
+    to_sentence,
+    uncertain_cell,
+    unit_cell,
+    unit_text,
+)
 from pkmodes.pages.report.page import need_report, page
 from pkmodes.pages.report.sections import origin_section
 from pkmodes.pages.report.sources import Source, known_sources
@@ -36,11 +48,19 @@ if TYPE_CHECKING:
 NEAR = 1.25
 #: Channels in one figure, two by two.
 CHANNELS_PER_FIGURE = 4
-UNDAMPED_NOTE = ("The robot file has no damping: a resonance has no height of its own, and its peak depends only on how near "
-    "the nearest frequency is. Add [damping] ratio.")
+UNDAMPED_NOTE = (
+    "The robot file has no damping: a resonance has no height of its own, and its peak depends only on how near "
+    "the nearest frequency is. Add [damping] ratio."
+)
 
 
-def response_report(model: Model, response: FrequencyResponse, measured: MeasuredResponse | None = None, sources: Sequence[Source] | None = None, before: FrequencyResponse | None = None) -> str:
+def response_report(
+    model: Model,
+    response: FrequencyResponse,
+    measured: MeasuredResponse | None = None,
+    sources: Sequence[Source] | None = None,
+    before: FrequencyResponse | None = None,
+) -> str:
     """Return the report of frequency responses at one pose.
 
     - model: the robot
@@ -56,7 +76,13 @@ def response_report(model: Model, response: FrequencyResponse, measured: Measure
     need_report()
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
     drawn = DrawnChannels.of(response, measured, before=before)
-    sections = [Section("responses", "Frequency responses", [*_response_figures(drawn), largest_responses_table(drawn)]), Section("modes", "Modes of the model", [_modes_table(model, response)]), origin_section(sources, model.mechanism)]
+    sections = [
+        Section(
+            "responses", "Frequency responses", [*_response_figures(drawn), largest_responses_table(drawn)]
+        ),
+        Section("modes", "Modes of the model", [_modes_table(model, response)]),
+        origin_section(sources, model.mechanism),
+    ]
     return page(response_summary(model, response, drawn), sections)
 
 
@@ -83,22 +109,43 @@ def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChan
         headline = f"No resonance from {first:g} to {last:g} Hz: {strongest_text} at {peak} Hz"
     else:
         headline = f"At {first:g} Hz {strongest_text}"
-    facts = [("channels", Cell(str(len(drawn.model)), len(drawn.model))), ("frequencies", Cell(f"{first:g} to {last:g} Hz")) if has_several_frequencies else ("frequency", Cell(f"{first:g} Hz"))]
+    facts = [
+        ("channels", Cell(str(len(drawn.model)), len(drawn.model))),
+        ("frequencies", Cell(f"{first:g} to {last:g} Hz"))
+        if has_several_frequencies
+        else ("frequency", Cell(f"{first:g} Hz")),
+    ]
     if resonance is not None:
-        facts.append((f"mode {resonance.mode}", hertz_with_unit_cell(resonance.frequency, "resonance", "frequency_hz")))
+        facts.append(
+            (f"mode {resonance.mode}", hertz_with_unit_cell(resonance.frequency, "resonance", "frequency_hz"))
+        )
     if drawn.measured is not None:
         count = len(drawn.measured.responses)
         facts.append(("of the channels measured", Cell(str(count), count)))
-    reason = f"{response.quantity.capitalize()} at {pose_text}, {motors_in_words(model.robot, response.drives)}."
+    reason = (
+        f"{response.quantity.capitalize()} at {pose_text}, {motors_in_words(model.robot, response.drives)}."
+    )
     if len(drawn.model) > 1:
         channels_text = "measured channels" if measured else "channels"
         symbol = unit_text(drawn.units[name])
         channel_group = f"{channels_text} in {symbol}" if symbol else f"dimensionless {channels_text}"
         strongest = "the largest response" if resonance is None else "the strongest resonance"
         reason += f" Of the {channel_group} this one has {strongest}."
-    if meanings := [f"{clean(port)} is {words}" for port in (output_port, input_port) if (words := _port_meaning(port, model.mechanism))]:
+    if meanings := [
+        f"{clean(port)} is {words}"
+        for port in (output_port, input_port)
+        if (words := _port_meaning(port, model.mechanism))
+    ]:
         reason += f" Here {', '.join(meanings)}."
-    return Summary(subject=f"{shorten(model.robot.name)}, {motors_in_words(model.robot, response.drives)}", kind="Frequency responses", headline=headline, reason=reason, notes=[*_notes(model.robot, drawn)], facts=facts, head=head_of(model.robot.report))
+    return Summary(
+        subject=f"{shorten(model.robot.name)}, {motors_in_words(model.robot, response.drives)}",
+        kind="Frequency responses",
+        headline=headline,
+        reason=reason,
+        notes=[*_notes(model.robot, drawn)],
+        facts=facts,
+        head=head_of(model.robot.report),
+    )
 
 
 def hertz_with_unit_cell(frequency: float, *json_keys: str) -> Cell:
@@ -128,7 +175,14 @@ def _port_meaning(port: str, mechanism: Mechanism) -> str:
         return ""  # a direction that the user named
     motion, effort = ("length", "force") if mechanism.drives[0].unit == "N" else ("angle", "torque")
     body = mechanism.moving_body(suffix if kind in ("p", "force") else "")
-    return {"p": f"the motion of the {body} along {suffix}", "r": f"the rotation of the {body} about {suffix}", "force": f"a force on the {body} along {suffix}", "moment": f"a moment on the {body} about {suffix}", "motor": f"the {motion} of motor {suffix}", "torque": f"the {effort} of motor {suffix}"}.get(kind, "")
+    return {
+        "p": f"the motion of the {body} along {suffix}",
+        "r": f"the rotation of the {body} about {suffix}",
+        "force": f"a force on the {body} along {suffix}",
+        "moment": f"a moment on the {body} about {suffix}",
+        "motor": f"the {motion} of motor {suffix}",
+        "torque": f"the {effort} of motor {suffix}",
+    }.get(kind, "")
 
 
 def _largest_measured_index(drawn: DrawnChannels, values: NDArray[Any]) -> int | None:
@@ -143,7 +197,11 @@ def _measured_peak_near(drawn: DrawnChannels, values: NDArray[Any], frequency: f
     """Return the index of the largest measured response around a mode [Hz]; None where none of them is a peak."""
     assert drawn.measured is not None
     frequencies, size = drawn.measured.frequencies, np.abs(values)
-    is_near = (frequencies >= frequency / NEAR) & (frequencies <= frequency * NEAR) & (frequencies >= drawn.frequencies[0])
+    is_near = (
+        (frequencies >= frequency / NEAR)
+        & (frequencies <= frequency * NEAR)
+        & (frequencies >= drawn.frequencies[0])
+    )
     is_near &= frequencies <= drawn.frequencies[-1]
     if not is_near.any():
         return None
@@ -156,9 +214,19 @@ def _response_figures(drawn: DrawnChannels) -> list[Block]:
     names, blocks = list(drawn.model), list[Block]()
     for start in range(0, len(names), CHANNELS_PER_FIGURE):
         chosen = names[start : start + CHANNELS_PER_FIGURE]
-        drawing = responses(drawn.frequencies, {name: drawn.model[name] for name in chosen}, drawn.units, drawn.measured, before=drawn.before)
+        drawing = responses(
+            drawn.frequencies,
+            {name: drawn.model[name] for name in chosen},
+            drawn.units,
+            drawn.measured,
+            before=drawn.before,
+        )
         shown = ", ".join(clean(name) for name in chosen)
-        title = "Responses" if len(names) <= CHANNELS_PER_FIGURE else f"Responses, {start + 1} to {start + len(chosen)}"
+        title = (
+            "Responses"
+            if len(names) <= CHANNELS_PER_FIGURE
+            else f"Responses, {start + 1} to {start + len(chosen)}"
+        )
         caption = f"Magnitude and phase of {shown}; a phase of \u221290\u00b0 lags behind."
         if drawn.measured is not None and not drawn.measured.responses.keys().isdisjoint(chosen):
             caption += " Broad lines are measured, thin ones the model."
@@ -186,20 +254,34 @@ def largest_responses_table(drawn: DrawnChannels) -> Table:
         cells = _peak_cells(frequencies, values, peak, pointer("frequencies_hz", peak))
         row += [_four_digits(abs(values[0])), *cells] if has_several_frequencies else [cells[0], cells[-1]]
         if measured is not None:
-            index = _largest_measured_index(drawn, measured.responses[name]) if name in measured.responses else None
+            index = (
+                _largest_measured_index(drawn, measured.responses[name])
+                if name in measured.responses
+                else None
+            )
             if index is None:
                 row += [number_cell(None)] * 3
             else:
                 row += _peak_cells(measured.frequencies, measured.responses[name], index)
         rows.append(row)
-    caption = f"Magnitudes at the first of {len(frequencies)} frequencies from {frequencies[0]:g} to "
-        f"{frequencies[-1]:g} Hz, and the largest of each channel with its phase" if has_several_frequencies else f"Magnitude and phase at {frequencies[0]:g} Hz"
+    caption = (
+        f"Magnitudes at the first of {len(frequencies)} frequencies from {frequencies[0]:g} to "
+        f"{frequencies[-1]:g} Hz, and the largest of each channel with its phase"
+        if has_several_frequencies
+        else f"Magnitude and phase at {frequencies[0]:g} Hz"
+    )
     return compact_table(f"{caption}, for exp(+i\u03c9t).", titles, rows, groups)
 
 
-def _peak_cells(frequencies: NDArray[Any], values: NDArray[Any], peak: int, json_pointer: str = "") -> list[Cell]:
+def _peak_cells(
+    frequencies: NDArray[Any], values: NDArray[Any], peak: int, json_pointer: str = ""
+) -> list[Cell]:
     value = complex(values[peak])
-    return [_four_digits(abs(value)), frequency_cell(float(frequencies[peak]), json_pointer), number_cell(float(np.degrees(np.angle(value))), ".0f")]
+    return [
+        _four_digits(abs(value)),
+        frequency_cell(float(frequencies[peak]), json_pointer),
+        number_cell(float(np.degrees(np.angle(value))), ".0f"),
+    ]
 
 
 def _four_digits(value: float) -> Cell:
@@ -219,9 +301,18 @@ def _modes_table(model: Model, response: FrequencyResponse) -> Block:
     for i in range(rigid, len(modes.frequencies)):
         frequency = float(modes.frequencies[i])
         sigma = 0.0 if sigmas is None else float(sigmas[i])
-        rows.append([Cell(str(i + 1 - rigid)), uncertain_cell(frequency, sigma) if sigma > 0.0 else frequency_cell(frequency), three_digit_cell(float(modes.damping_ratios[i]), scale=100.0), *(number_cell(float(part) + 0.0, ".3f") for part in directions[i])])
-    caption = (f"{plural(len(rows), 'vibration mode')} at this pose: undamped natural frequency, damping ratio, and the "
-        f"direction in which the {model.mechanism.body_moves()}.")
+        rows.append(
+            [
+                Cell(str(i + 1 - rigid)),
+                uncertain_cell(frequency, sigma) if sigma > 0.0 else frequency_cell(frequency),
+                three_digit_cell(float(modes.damping_ratios[i]), scale=100.0),
+                *(number_cell(float(part) + 0.0, ".3f") for part in directions[i]),
+            ]
+        )
+    caption = (
+        f"{plural(len(rows), 'vibration mode')} at this pose: undamped natural frequency, damping ratio, and the "
+        f"direction in which the {model.mechanism.body_moves()}."
+    )
     if model.mechanism.rotations:
         caption += f" Rotations are times L = {model.characteristic_length:.4g} m."
     return compact_table(caption, columns, rows)
