@@ -25,14 +25,14 @@ def other(tmp_path: Path) -> Path:
 
 def while_deriving(monkeypatch: pytest.MonkeyPatch, happens: Callable[[], object]) -> None:
     """Let something happen once, while the next model is derived."""
-    real = generation.specialised
+    real = generation.derive_robot_model
 
-    def specialised(specification: object) -> dict[str, str]:
-        monkeypatch.setattr(generation, "specialised", real)
+    def derive_robot_model(specification: object) -> dict[str, str]:
+        monkeypatch.setattr(generation, "derive_robot_model", real)
         happens()
         return real(specification)
 
-    monkeypatch.setattr(generation, "specialised", specialised)
+    monkeypatch.setattr(generation, "derive_robot_model", derive_robot_model)
 
 
 def test_two_robots_generated_at_once_are_not_mixed(

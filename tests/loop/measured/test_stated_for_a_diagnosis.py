@@ -149,7 +149,7 @@ def test_the_command_line_states_the_same(
 
 def test_the_report_says_what_was_stated(read) -> None:
     data = read(f"# prior: {OFFSET} = 2 mm", "# usable: z = -1, 20 cm")
-    evidence = SimpleNamespace(labels=["P1"], measured=[50.0], place="pose")
+    evidence = SimpleNamespace(labels=["P1"], measured=[50.0], setup_noun="pose")
     facts = str(ReportContext("x", None, data, (), None).origin(evidence))
     assert f"{OFFSET} = 2 mm" in facts
     assert "z = -1.0, 20 cm" in facts

@@ -184,10 +184,10 @@ def test_it_opens_in_the_section_of_the_figures_with_their_axes(mapped: tuple[Pa
         started(browser)
         explorer = "document.querySelector('.explorer').explorer"
         assert browser.page.evaluate(f"{explorer}.map.pose({explorer}.poseIndex)[2]") == pytest.approx(
-            drawn.at
+            drawn.normal_position
         )
         names = browser.page.evaluate(f"{explorer}.drawn.map((k) => {explorer}.data.components[k].name)")
-        assert names == [drawn.across, drawn.along] == ["y", "x"]
+        assert names == [drawn.abscissa, drawn.ordinate] == ["y", "x"]
 
 
 def test_a_slider_does_not_reset_another(mapped: tuple[Path, Any]) -> None:

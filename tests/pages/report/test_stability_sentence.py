@@ -9,7 +9,7 @@ import pytest
 from helpers.pages.report_examples import made_up
 from pkmodes.loop.diagnosis.verdict.findings import Stability
 from pkmodes.loop.diagnosis.verdict.result import Damping
-from pkmodes.pages.report.damping import with_other_errors
+from pkmodes.pages.report.damping import stability_clause
 from pkmodes.pages.report.stability import stability_sentence
 
 CHANGES = ("sigma x 0.5", "sigma x 2", "priors x 2")
@@ -125,4 +125,4 @@ def test_losses_that_other_errors_would_claim(entries: tuple[tuple[str, str], ..
         Stability(change, word, tuple(names.split()))
         for change, (word, names) in zip(CHANGES, entries, strict=True)
     )
-    assert with_other_errors(Damping(verdict="adequate", stability=stability)) == expected
+    assert stability_clause(Damping(verdict="adequate", stability=stability)) == expected

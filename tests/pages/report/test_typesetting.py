@@ -135,13 +135,13 @@ def test_fitted_modes_without_a_partner_are_told_beside_the_errors() -> None:
         result,
         rows=tuple(msgspec.structs.replace(row, before=1.0, refit=1.0, after=1.0) for row in result.rows),
     )
-    assert not any("no partner" in getattr(block, "text", "") for block in numbers.errors(whole))
+    assert not any("no partner" in getattr(block, "text", "") for block in numbers.error_blocks(whole))
     fitted = [i for i, row in enumerate(whole.rows) if not (row.held_out or row.outlier)]
     lost = {fitted[0], fitted[2], next(i for i, row in enumerate(whole.rows) if row.held_out)}
     rows = tuple(
         msgspec.structs.replace(row, before=None) if i in lost else row for i, row in enumerate(whole.rows)
     )
-    texts = [getattr(block, "text", "") for block in numbers.errors(replace(whole, rows=rows))]
+    texts = [getattr(block, "text", "") for block in numbers.error_blocks(replace(whole, rows=rows))]
     assert (
         "2 fitted modes have no partner in the model (as declared): each counts in chi\u00b2 as a difference by a "
         "factor of 1.8, and not in the rms."
