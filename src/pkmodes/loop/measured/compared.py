@@ -14,6 +14,7 @@ from pkmodes.core.base.errors import MeasurementError
 from pkmodes.core.support.mac import mac_of_each, rotation_weights
 from pkmodes.loop.measured.comparison import Changed, MeasurementsCompared, ModePair
 from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.measured.positions import is_same_position
 from pkmodes.loop.measured.shape_changes import (
     AlignedShapes,
     PlaceChange,
@@ -43,9 +44,6 @@ Array = NDArray[np.float64]
 RowPair = tuple[int, int, float | None]
 #: Largest difference between the logarithms of the frequencies of one mode.
 MAX_FREQUENCY_DIFFERENCE = 0.25
-#: Poses are the same if no component differs by more than this part of the range of the first file, or by more than
-#: this [m or rad].
-NEAR_PART_OF_RANGE, NEAR_DISTANCE = 0.02, 5e-4
 #: Rows whose shapes have a smaller MAC are not of one mode.
 MIN_MAC_OF_PAIR = 0.5
 #: Difference between the logarithms of two frequencies that costs as much as shapes with a MAC of 0.
@@ -228,7 +226,7 @@ def _mark_significant(
 def _common_poses(first: Measurements, second: Measurements) -> Iterator[tuple[int, int]]:
     """Yield the poses that both have: those at one position or with the same label, or the only pose of each."""
     is_single = len(first.labels) == len(second.labels) == 1
-    pose_pairs = [(0, 0)] if is_single else _poses_of_labels(first, second)
+    pose_pairs = [(0, 0)] if is_single else _pair_poses(first, second)
     if not pose_pairs:
         problem = f"expected poses of {first.source}, such as {first.labels[0]}, found {second.labels[0]}"
         raise MeasurementError(
@@ -247,30 +245,29 @@ def _common_poses(first: Measurements, second: Measurements) -> Iterator[tuple[i
         yield first_pose, second_pose
 
 
-def _poses_of_labels(first: Measurements, second: Measurements) -> list[tuple[int, int]]:
-    """Return the poses with the same label, and where that label is of another position, those at the same position.
+def _pair_poses(first: Measurements, second: Measurements) -> list[tuple[int, int]]:
+    """Return the pairs of poses with the same label, or at the same position where the labels are of other positions.
 
-    The labels of two campaigns need not name the same places: where one position has two labels, labels pair nothing.
+    Two campaigns may use the same labels for other positions: where one position has two labels, labels pair nothing.
     """
-    labelled = {
+    by_label = {
         i: second.labels.index(label) for i, label in enumerate(first.labels) if label in second.labels
     }
     if first.components != second.components or not (first.points.any() and second.points.any()):
-        return [*labelled.items()]
-    tolerance = np.maximum(NEAR_PART_OF_RANGE * np.ptp(first.points, axis=0), NEAR_DISTANCE)
-    near = (np.abs(first.points[:, None] - second.points[None]) <= tolerance).all(axis=-1)
-    pairs = {i: j for i, j in labelled.items() if near[i, j]}
+        return [*by_label.items()]
+    at_same_position = is_same_position(first, second).T
+    pairs = {i: j for i, j in by_label.items() if at_same_position[i, j]}
     for i in range(len(first.labels)):
         conditions = first.drives[i], first.load(i)
-        others = [
+        unpaired = [
             j
-            for j in np.flatnonzero(near[i]).tolist()
+            for j in np.flatnonzero(at_same_position[i]).tolist()
             if (second.drives[j], second.load(j)) == conditions and j not in pairs.values()
         ]
-        if i not in pairs and len(others) == 1:
-            pairs[i] = others[0]
-    if all(labelled.get(i) == j for i, j in pairs.items()):  # else the labels are of other lists
-        pairs |= labelled
+        if i not in pairs and len(unpaired) == 1:
+            pairs[i] = unpaired[0]
+    if all(by_label.get(i) == j for i, j in pairs.items()):  # else the labels mean other positions
+        pairs |= by_label
     return sorted(pairs.items())
 
 

@@ -25,6 +25,7 @@ from pkmodes.loop.diagnosis.problem import Array, Prediction, Structure
 from pkmodes.loop.diagnosis.states.counterparts import expected_modes, pair_with_expected
 from pkmodes.loop.diagnosis.states.shared_shapes import corrected_shapes
 from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.measured.positions import is_same_position
 from pkmodes.loop.measured.quantities import FREQUENCY
 
 #: Standard deviation of the error of a model in a mode: any error is possible.
@@ -35,9 +36,8 @@ MIN_SIGMA = 0.02
 MIN_DIFFERENCES = 3
 #: The scatter between setups is taken at this upper confidence limit.
 CONFIDENCE_LEVEL = 0.9
-#: Setups are the same if no component of the pose differs by more than this part of the range of the trusted poses,
-#: or by more than this [m or rad]; without positions, if the model has the same modes to this accuracy.
-NEAR_PART_OF_RANGE, NEAR_DISTANCE, EIGENVALUE_TOLERANCE = 0.02, 5e-4, 1e-9
+#: Without positions, setups are the same if the eigenvalues of the model are equal to this fraction of the largest.
+EIGENVALUE_TOLERANCE = 1e-9
 #: Largest relative standard deviation of a frequency or of the components of a shape.
 MAX_SIGMA = 0.9
 
@@ -309,9 +309,7 @@ def same_setups(
         ]
     )
     if first.points.any() and second.points.any():
-        tolerance = np.maximum(NEAR_PART_OF_RANGE * np.ptp(first.points, axis=0), NEAR_DISTANCE)
-        distance = np.abs(second.points[:, None] - first.points[None])
-        return np.asarray(same_conditions & (distance <= tolerance).all(axis=-1))
+        return np.asarray(same_conditions & is_same_position(first, second))
     count = min(modes.eigenvalues.shape[1], other_modes.eigenvalues.shape[1])
     a, b = modes.eigenvalues[None, :, :count], other_modes.eigenvalues[:, None, :count]
     max_magnitude = np.abs(a).max(axis=-1, keepdims=True)
