@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from pkmodes.core.base.numbers import plain
+from pkmodes.core.base.numbers import plain, round_to_sigma
 from pkmodes.core.support.ordering import listed
 from pkmodes.loop.diagnosis.criteria import Criteria
 from pkmodes.loop.diagnosis.search.limits import ONE_SIDED_SIGMAS
@@ -103,4 +103,7 @@ def _name(value: Corrected) -> str:
 
 def _change_in_words(value: Corrected) -> str:
     unit = "" if value.unit == "1" else f" {value.unit}"
-    return f"from {plain(value.declared, 4)} to {plain(value.value, 4)}{unit}"
+    rounded = round_to_sigma(value.value, value.sigma)
+    return (
+        f"from {plain(value.declared, 4)} to {plain(float(f'{rounded.value}e{rounded.exponent}'), 4)}{unit}"
+    )

@@ -110,7 +110,7 @@ def nothing_missing(e: Evidence) -> Answer:
     gate = e.outcome.last_gate
     errors = errors_in_words(e.final, e.fitter.data.lines)
     errors_clause = f", with {errors}" if errors else ""
-    p_values = f"({p_in_words(gate.p_value)}, and {p_text(gate.p_candidates)} for the best candidate)"
+    p_values = f"({p_in_words(gate.p_value)}, and {p_text(gate.p_candidates)} for the best of all candidates)"
     if not e.refit_needed:
         return Answer(f"the residual of the declared model is noise {p_values}{errors_clause}")
     refit_clause = "the residual is noise once the uncertain values are refitted"
