@@ -11,7 +11,7 @@ import pytest
 
 from pkmodes.cli import progress, run
 from pkmodes.cli.progress import ProgressLine, duration
-from pkmodes.core.support.progress import reporting_to, say
+from pkmodes.core.support.progress import report_progress, reporting_to
 
 ROOT = Path(__file__).resolve().parents[2]
 PRINTER, DELTA = str(ROOT / "robots/corexy-printer.toml"), str(ROOT / "robots/linear-delta-2022.toml")
@@ -159,4 +159,4 @@ def test_times_are_said_in_words() -> None:
 
 
 def test_nobody_needs_to_listen() -> None:
-    say("nothing")
+    report_progress("nothing")

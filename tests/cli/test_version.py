@@ -28,8 +28,8 @@ def test_the_verbose_version_says_what_results_may_depend_on(
     assert found["Python"].startswith(f"{platform.python_version()} (")
     assert (found["numpy"], found["scipy"]) == (np.__version__, scipy.__version__)
     assert found["back end"] == "numpy"
-    assert f"xarray {xarray.__version__}" in found["of the extras"]
-    assert "pytest" not in found["of the extras"]
+    assert f"xarray {xarray.__version__}" in found["installed extras"]
+    assert "pytest" not in found["installed extras"]
     for name in registry.supplied_names():
         assert re.match(r"[248] poses at once \(\S+\), \S+\.so$|no library; ", found[f"compiled {name}"])
     assert found["C compiler"]

@@ -13,11 +13,11 @@ from pkmodes.cli.options import (
     PATH,
     band_option,
     check_file_order,
-    errors_name_options,
     json_option,
     measured_drives_option,
     mechanism_option,
     parse_band_option,
+    rename_arguments_in_errors,
     report_option,
     robot_argument,
 )
@@ -117,7 +117,7 @@ def changed(
         {"robot file": robot, **{f"measurement file {i}": file for i, file in enumerate(states, start=1)}},
     )
     trusted_state, *later_states = campaigns
-    with progress_lines("changed") as progress, errors_name_options("candidates", "holdout"):
+    with progress_lines("changed") as progress, rename_arguments_in_errors("candidates", "holdout"):
         result = updating.changed(
             declared_robot,
             campaigns[trusted_state],

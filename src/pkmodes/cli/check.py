@@ -15,7 +15,7 @@ from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.support.documents import Document
-from pkmodes.core.support.progress import say
+from pkmodes.core.support.progress import report_progress
 
 if TYPE_CHECKING:
     from pkmodes.codegen.checking.products import Report
@@ -127,10 +127,10 @@ def check(
         targets = targets or (mechanism,)
     reports: list[Report] = []
     for number, name in enumerate(() if targets else supplied_names(), start=1):
-        say(f"{name}, {number} of {len(supplied_names())}: deriving it again")
+        report_progress(f"{name}, {number} of {len(supplied_names())}: deriving it again")
         reports.append(products.check_committed(name))
     for number, target in enumerate(targets, start=1):
-        say(f"{target}, {number} of {len(targets)}: deriving it again")
+        report_progress(f"{target}, {number} of {len(targets)}: deriving it again")
         if target.is_dir():
             reports.append(products.check_folder(target))
         elif target.is_file():

@@ -10,11 +10,11 @@ import numpy as np
 
 from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import errors_name_options
+from pkmodes.cli.options import rename_arguments_in_errors
 from pkmodes.cli.poses import selected_poses
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.core.support.progress import say
+from pkmodes.core.support.progress import report_progress
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
@@ -43,7 +43,7 @@ def compare_robot_files(
     first, second = map(load, files)
     check_one_mechanism(first.robot, second.robot)
     pose_selection = selected_poses(first, grid, poses)
-    with errors_name_options("grid", "drives", poses="--poses" if poses else "--grid"):
+    with rename_arguments_in_errors("grid", "drives", poses="--poses" if poses else "--grid"):
         document = compare_robots(first, second, _compared_poses(first, second, pose_selection), drives)
     content = document.as_json()
 
@@ -51,7 +51,7 @@ def compare_robot_files(
         from pkmodes.machine.maps.poses import PoseGrid
         from pkmodes.pages.report.robots import robots_report
 
-        say("drawing the differences over the working plane")
+        report_progress("drawing the differences over the working plane")
         plane = (
             pose_selection
             if isinstance(pose_selection, PoseGrid) and sum(n > 1 for n in pose_selection.shape) == 2

@@ -13,11 +13,11 @@ from pkmodes.cli.options import (
     PATH,
     band_option,
     check_file_order,
-    errors_name_options,
     forwarded_mechanism_option,
     json_option,
     measured_drives_option,
     parse_band_option,
+    rename_arguments_in_errors,
     report_option,
     robot_argument,
 )
@@ -179,7 +179,7 @@ def diagnose(
     sources = sources_of(
         report_to, {"robot file": robot, "measurement file": modes, "campaign file": campaign}
     )
-    options = errors_name_options("candidates", "holdout", "usable", priors="--prior")
+    options = rename_arguments_in_errors("candidates", "holdout", "usable", priors="--prior")
     with progress_lines("diagnose") as progress, options:
         result = updating.diagnose(
             declared_robot,

@@ -11,7 +11,7 @@ import click
 
 from pkmodes.cli.progress import on_terminal
 from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
-from pkmodes.core.support.progress import say
+from pkmodes.core.support.progress import report_progress
 
 #: The word that stands for all verdicts except adequate.
 ANY_VERDICT = "any"
@@ -36,7 +36,7 @@ def split_names(text: str, option: str) -> list[str]:
 def progress_lines(command: str) -> Iterator[Callable[[str], None]]:
     """Show progress of a command on stderr: in place on a terminal, otherwise as occasional lines."""
     if on_terminal():
-        yield say
+        yield report_progress
         return
     last_time = time.monotonic()
 

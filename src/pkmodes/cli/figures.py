@@ -12,10 +12,10 @@ from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import (
     drives_option,
-    errors_name_options,
     json_option,
     mechanism_option,
     overwrite_option,
+    rename_arguments_in_errors,
     robot_argument,
 )
 from pkmodes.cli.printing import echo
@@ -83,7 +83,7 @@ def figures(
     from pkmodes.pages.figures.files import write_pictures_and_sentences
 
     grid_axes = None if grid is None else parse_grid(grid, model.mechanism, "--grid")
-    with errors_name_options("grid", folder="--out"):
+    with rename_arguments_in_errors("grid", folder="--out"):
         written, sentences = write_pictures_and_sentences(
             model, folder, grid_axes, tuple(dict.fromkeys(formats)), drives=drives, overwrite=overwrite
         )

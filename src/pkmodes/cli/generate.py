@@ -14,7 +14,7 @@ from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
 from pkmodes.core.base.errors import OutputError
 from pkmodes.core.support.documents import Document
-from pkmodes.core.support.progress import say
+from pkmodes.core.support.progress import report_progress
 
 
 class GenerateDocument(Document, frozen=True):
@@ -74,7 +74,7 @@ def generate(
     check_targets(json_file, [robot, mechanism, *effects])
     if not out.strip():
         raise OutputError("expected a folder, found an empty name", "--out", "name a folder for the model")
-    say("deriving the model")
+    report_progress("deriving the model")
     written = generate_model(robot, Path(out), mechanism, effects)
     files = [path.relative_to(out).as_posix() for path in written]
     document = GenerateDocument(robot=str(robot), out=str(Path(out)), files=files)

@@ -18,7 +18,7 @@ from pkmodes.cli.poses import grid_option, parse_path_option, path_option, poses
 from pkmodes.cli.progress import duration
 from pkmodes.cli.reporting import report_file
 from pkmodes.cli.settings import parse_settings_option, settings_option
-from pkmodes.core.support.progress import say
+from pkmodes.core.support.progress import report_progress
 
 
 @dataclass(frozen=True)
@@ -162,6 +162,6 @@ def _progress_reporter() -> Callable[[int, int], None]:
         (start_time, start_count), (now, _) = counts[0], counts[-1]
         rate = (done - start_count) / (now - start_time) if now > start_time else 0.0
         remaining = f", about {duration((total - done) / rate)} left" if 0 < done < total and rate else ""
-        say(f"{done:,} of {total:,} poses{remaining}")
+        report_progress(f"{done:,} of {total:,} poses{remaining}")
 
     return report

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Self, TypeVar
 
 import click
 
-from pkmodes.cli.options import errors_name_options, json_option, report_option
+from pkmodes.cli.options import json_option, rename_arguments_in_errors, report_option
 from pkmodes.cli.reporting import sources_of
 from pkmodes.cli.targets import Target, check_targets
 from pkmodes.core.base.errors import PkmodesError
@@ -164,7 +164,7 @@ class OptionTable:
         }
 
     def name_in_errors(self, **renamed: str) -> AbstractContextManager[None]:
-        """Name options in errors that name arguments, as `errors_name_options` does.
+        """Name options in errors that name arguments, as `rename_arguments_in_errors` does.
 
         - renamed: options by argument, where an argument does not have the name of a field
         """
@@ -173,7 +173,7 @@ class OptionTable:
             for name, parameter in _parameters().items()
             if isinstance(parameter, click.Option)
         }
-        return errors_name_options(**(options | renamed))
+        return rename_arguments_in_errors(**(options | renamed))
 
     def _is_given(self, name: str) -> bool:
         """Return whether an option is given."""

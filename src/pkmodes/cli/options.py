@@ -145,7 +145,7 @@ def check_file_order(robot: Path, modes: Path, command: str) -> None:
 
 
 @contextmanager
-def errors_name_options(*arguments: str, **renamed: str) -> Iterator[None]:
+def rename_arguments_in_errors(*arguments: str, **renamed: str) -> Iterator[None]:
     """Replace the name of a function argument in an error by that of the option.
 
     The place of an error is an argument, alone or before a colon: ``sweep: platform.mass``.  A remedy may give an

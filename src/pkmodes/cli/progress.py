@@ -89,7 +89,7 @@ def on_terminal() -> bool:
 
 @contextmanager
 def progress_line(text: str) -> Iterator[None]:
-    """If stderr is a terminal, show what is reported inside the block by `pkmodes.core.support.progress.say`."""
+    """If stderr is a terminal, show what `core.support.progress.report_progress` reports inside the block."""
     global _current
     if not on_terminal():
         yield

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from pkmodes.cli.delivery import ResultFile
-from pkmodes.core.support.progress import say
+from pkmodes.core.support.progress import report_progress
 
 if TYPE_CHECKING:
     from pkmodes.core.robot.robot import Robot
@@ -39,7 +39,7 @@ def report_file(report: Path | None, page: Callable[[], str]) -> ResultFile:
         return [f"\nwrote {file}"] if file.is_file() else []
 
     def draw_page() -> str:
-        say("drawing the report")
+        report_progress("drawing the report")
         return page()
 
     return ResultFile(report, draw_page, messages)

@@ -21,7 +21,7 @@ from pkmodes.cli.reporting import report_file
 from pkmodes.core.base.drives import Drives
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.support.documents import Count, Document, Size
-from pkmodes.core.support.progress import say
+from pkmodes.core.support.progress import report_progress
 from pkmodes.machine.response.ports import QUANTITIES
 
 if TYPE_CHECKING:
@@ -179,7 +179,7 @@ def response(options: ResponseOptions) -> None:
     inputs = comma_list(options.inputs, "--inputs", "--inputs torque_1,force_x")
     output_names = comma_list(options.outputs, "--outputs", "--outputs p_x,nozzle=1:1:0")
     outputs, arguments = list(map(_parse_output, output_names)), options.call_arguments()
-    say("computing the responses")
+    report_progress("computing the responses")
     with options.name_in_errors():
         result = model.frf(pose, frequencies, inputs, outputs, **arguments)
         response_before = (
@@ -224,7 +224,7 @@ def response(options: ResponseOptions) -> None:
     if options.report_to is not None:
         from pkmodes.pages.report.response import response_report
 
-        say("drawing the report")
+        report_progress("drawing the report")
         page = response_report(
             model, result, measured, sources, response_before
         )  # drawn before anything is written

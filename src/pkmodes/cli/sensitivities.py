@@ -19,7 +19,7 @@ from pkmodes.cli.poses import parse_pose_option, pose_option
 from pkmodes.cli.reporting import report_file
 from pkmodes.core.base.drives import Drives
 from pkmodes.core.support.documents import Count, Document, Matrix
-from pkmodes.core.support.progress import say
+from pkmodes.core.support.progress import report_progress
 from pkmodes.loop.sensitivity.relative import relative_of
 from pkmodes.loop.sensitivity.spread import stated_sigmas
 from pkmodes.pages.report.blocks import Paragraph
@@ -137,7 +137,7 @@ def sensitivities(options: SensitivitiesOptions) -> None:
     model = load(options.robot)
     pose_components = parse_pose_option(model, options.pose)
     modes = model.modes(pose_components, drives=drives)
-    say("differentiating the modes")
+    report_progress("differentiating the modes")
     derivatives = model.sensitivities(pose_components, paths, drives=drives)
     relative = relative_of(derivatives.frequencies, derivatives.values, modes.frequencies)
     content = SensitivitiesDocument.of(

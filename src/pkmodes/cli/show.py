@@ -17,17 +17,17 @@ from pkmodes.api import load
 from pkmodes.cli.delivery import ResultFile, deliver
 from pkmodes.cli.options import (
     drives_option,
-    errors_name_options,
     json_option,
     mechanism_option,
     overwrite_option,
+    rename_arguments_in_errors,
     robot_argument,
 )
 from pkmodes.cli.poses import parse_pose_option
 from pkmodes.cli.targets import Target, check_targets
 from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
 from pkmodes.core.support.documents import Document
-from pkmodes.core.support.progress import say
+from pkmodes.core.support.progress import report_progress
 from pkmodes.core.support.replacing import check_replaced, contains_mark
 
 if TYPE_CHECKING:
@@ -109,7 +109,7 @@ def show(
     model = load(robot)
     ranges = None if vary is None else parse_vary(vary, model.robot)
     shown_pose = typical_pose(model).tolist() if pose is None else parse_pose_option(model, pose)
-    say("drawing the moving picture" if is_gif else "computing the modes over the workspace")
+    report_progress("drawing the moving picture" if is_gif else "computing the modes over the workspace")
     if is_gif:
         from pkmodes.pages.plots.animation import animation
 
@@ -121,7 +121,7 @@ def show(
             )
         content: str | bytes = animation(scene, scene.rigid_modes + mode - 1)
     elif ranges is not None:
-        with errors_name_options(values=VARY_OPTION):
+        with rename_arguments_in_errors(values=VARY_OPTION):
             content = page(varied(model, shown_pose, ranges, drives=drives))
     else:
         content = page(poses_around(model, shown_pose, drives=drives))

@@ -94,4 +94,4 @@ def _libraries() -> Iterator[tuple[str, str]]:
     installed_extras = [
         f"{name} {version}" for name, version in extras.items() if version and name not in core
     ]
-    yield "of the extras", ", ".join(installed_extras) or "none"
+    yield "installed extras", ", ".join(installed_extras) or "none"

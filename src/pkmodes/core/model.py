@@ -27,7 +27,7 @@ from pkmodes.core.mechanism.poses import (
 )
 from pkmodes.core.robot.pose_table import ordered_by_name
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.robot.usable import reasons_of
+from pkmodes.core.robot.usable import meanings_of_reason_codes
 from pkmodes.core.solve.backends import AUTO, checked_threads, choose_backend, solver_of
 from pkmodes.core.solve.batch import run_job
 from pkmodes.core.solve.field_arrays import FieldArrays, FieldNames, OutArrays, chosen_fields
@@ -354,7 +354,7 @@ class Model:
     @property
     def reasons(self) -> dict[str, str]:
         """Codes that ``reason`` may have for a pose that cannot be evaluated, with their meanings."""
-        return reasons_of(self.mechanism, self.robot.usable)
+        return meanings_of_reason_codes(self.mechanism, self.robot.usable)
 
     def check(self, poses: ArrayLike) -> PoseCheck:
         """Check which poses can be evaluated, and why the others cannot.

@@ -20,7 +20,7 @@ from pkmodes.codegen.checking.relations import Derivative, Relation, State, draw
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.mechanism.regular import regular_poses
-from pkmodes.core.support.progress import say
+from pkmodes.core.support.progress import report_progress
 
 Array = NDArray[np.float64]
 
@@ -63,7 +63,7 @@ def check_consistency(
 
     Returns one check for each relation and kind of difference; a single failed one if no regular pose is found.
     """
-    say("comparing derivatives with finite differences")
+    report_progress("comparing derivatives with finite differences")
     poses = regular_poses(generated, mechanism, parameters)
     if not len(poses):
         return [Check("a regular pose within the limits", np.inf, 0.0)]

@@ -105,7 +105,7 @@ def limit_examples(mechanism: Mechanism) -> dict[str, str]:
     }
 
 
-def reasons_of(mechanism: Mechanism, usable: Mapping[str, Bound]) -> dict[str, str]:
+def meanings_of_reason_codes(mechanism: Mechanism, usable: Mapping[str, Bound]) -> dict[str, str]:
     """Return why a pose may be left out of a result: code and meaning, in the order of the checks."""
     meanings = reason_meanings(mechanism)
     if is_box(usable):

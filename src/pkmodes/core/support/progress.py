@@ -9,7 +9,7 @@ from contextvars import ContextVar
 _listener: ContextVar[Callable[[str], None] | None] = ContextVar("progress", default=None)
 
 
-def say(text: str) -> None:
+def report_progress(text: str) -> None:
     """Report what is being done from now on, such as "picture 2 of 7: frequencies"."""
     listener = _listener.get()
     if listener is not None:

@@ -11,7 +11,7 @@ from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.version import VERSION
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.robot.usable import reasons_of
+from pkmodes.core.robot.usable import meanings_of_reason_codes
 from pkmodes.core.solve.fields import COORDINATE, DIRECTION, DRIVE, MODE
 from pkmodes.core.support.extras import require
 from pkmodes.machine.dataset.robot_text import robot_file_text
@@ -34,25 +34,31 @@ def import_xarray() -> Any:
 def code_attributes(robot: Robot, name: str) -> dict[str, Any]:
     """Return the attributes of a variable that explain its codes; none for a variable without codes."""
     if name == "reason":
-        return reasons_of(robot.mechanism, robot.usable)
+        return meanings_of_reason_codes(robot.mechanism, robot.usable)
     if name == "tracking":
         masks = np.array(list(EVENT_FLAGS.values()), dtype=np.int8)
         return {"flag_masks": masks, "flag_meanings": " ".join(EVENT_FLAGS)}
     return {}
 
 
-def axis_coordinates(mechanism: Mechanism, mode_count: int, coordinates: tuple[str, ...]) -> dict[str, Any]:
-    """Return the coordinates along the axes after the poses."""
+def axis_coordinates(
+    mechanism: Mechanism, mode_count: int, generalised_coordinates: tuple[str, ...]
+) -> dict[str, Any]:
+    """Return the coordinates of the axes that follow the pose axes."""
     mode_numbers = np.arange(FIRST_MODE, FIRST_MODE + mode_count)
-    part = "component" if mechanism.rotations else "direction"
+    kind_of_motion = "component" if mechanism.rotations else "direction"
     return {
         MODE: (MODE, mode_numbers, {"units": "1", "long_name": "vibration mode, rigid-body modes left out"}),
         DIRECTION: (
             DIRECTION,
             np.array(mechanism.components),
-            _label_attributes(f"{part} of motion of the {mechanism.moving_body()}"),
+            _label_attributes(f"{kind_of_motion} of motion of the {mechanism.moving_body()}"),
         ),
-        COORDINATE: (COORDINATE, np.array(coordinates), _label_attributes("generalised coordinate")),
+        COORDINATE: (
+            COORDINATE,
+            np.array(generalised_coordinates),
+            _label_attributes("generalised coordinate"),
+        ),
         DRIVE: (DRIVE, np.array([d.name for d in mechanism.drives]), _label_attributes("drive")),
     }
 

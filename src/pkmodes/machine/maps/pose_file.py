@@ -24,8 +24,8 @@ def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
     """Read poses: one row each.
 
     - path: table with the components of the pose as columns, in SI units or with a unit in the header (``x [mm]``),
-      and optionally their labels in a column ``pose``.  Other columns are ignored, load cases included, and so are
-      repeated rows: a file of measurements is also a list of poses.
+      and optionally their labels in a column ``pose``.  Other columns, such as load cases, are ignored,
+      and so are repeated rows; a file of measurements therefore also serves as a list of poses.
 
     Returns them in the order of the file.
     Raises MeasurementError if the file cannot be read or is invalid, with line and column.
@@ -45,10 +45,10 @@ def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
         column_of_component[name] = matching[0]
     names = [name for name, _ in columns]
     labelled = names.count(LABEL_COLUMN) == 1
-    table: dict[tuple[str, ...], tuple[float, ...]] = {}
-    point_of_label: dict[str, tuple[float, ...]] = {}
+    unique_poses: dict[tuple[str, ...], tuple[float, ...]] = {}
+    pose_of_label: dict[str, tuple[float, ...]] = {}
     for where, cells in lines.rows(source, len(columns)):
-        point = tuple(
+        pose = tuple(
             _coordinate_value(cells[i], columns[i][1], lines.notation, f"{where}, column {name}")
             for name, i in column_of_component.items()
         )
@@ -57,14 +57,14 @@ def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
             raise MeasurementError(
                 f"expected a label, found {shown(label)}", f"{where}, column {LABEL_COLUMN}", PRINTABLE_REMEDY
             )
-        table[(label, *map(repr, point))] = point
-        if labelled and point_of_label.setdefault(label, point) != point:
-            problem = f"the label {shown(label)} has two positions"
+        unique_poses[(label, *map(repr, pose))] = pose
+        if labelled and pose_of_label.setdefault(label, pose) != pose:
+            problem = f"the label {shown(label)} stands for two different poses"
             raise MeasurementError(problem, where, "give each pose a label of its own")
-    if not table:
+    if not unique_poses:
         raise MeasurementError("expected a row for each pose, found only a header", source, "add the rows")
-    labels = tuple(key[0] for key in table) if labelled else None
-    return Poses(np.array(list(table.values())), tuple(units), labels)
+    labels = tuple(key[0] for key in unique_poses) if labelled else None
+    return Poses(np.array(list(unique_poses.values())), tuple(units), labels)
 
 
 def _coordinate_value(cell: str, factor: Decimal | None, notation: TableNotation, where: str) -> float:

@@ -17,7 +17,7 @@ from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.documents import Count, Document, Number, Probability
 from pkmodes.core.support.mac import mass_weighted_mac
-from pkmodes.core.support.progress import say
+from pkmodes.core.support.progress import report_progress
 from pkmodes.loop.robot_files.differences import (
     ChoiceDifference,
     ValueDifference,
@@ -229,7 +229,7 @@ def compare_frequencies(
     drives = _drives_of_both(first.robot, second.robot, drives)
     parts = []
     for start in range(0, len(poses), CHUNK_POSES):
-        say(f"{start:,} of {len(poses):,} poses of the two robots")
+        report_progress(f"{start:,} of {len(poses):,} poses of the two robots")
         parts.append(_compare_at(first, second, poses[start : start + CHUNK_POSES], drives))
     modes = second.modes(poses[:1], "nan", fields=("frequencies",), drives=drives)
     count = modes.frequencies.shape[-1] - modes.rigid_modes

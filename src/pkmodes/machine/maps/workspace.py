@@ -19,7 +19,7 @@ from pkmodes.core.mechanism.regular import draw_poses
 from pkmodes.core.model import Model
 from pkmodes.core.robot.usable import USABLE, Limits, is_box, limits_in_words
 from pkmodes.core.robot.usable_poses import bounding_box, within_limits
-from pkmodes.core.support.progress import say
+from pkmodes.core.support.progress import report_progress
 from pkmodes.machine.maps.poses import PoseGrid
 
 Array = NDArray[np.float64]
@@ -247,7 +247,7 @@ def grid_over_workspace(model: Model, poses: int = DEFAULT_POSES) -> PoseGrid:
 
 def grid_over_workspaces(models: Sequence[Model], poses: int = DEFAULT_POSES) -> PoseGrid:
     """Return a grid over the workspaces of several robots of one mechanism together: see `grid_over_workspace`."""
-    say("looking for the workspace")
+    report_progress("looking for the workspace")
     boxes = [usable_box(model) for model in models]
     low, high = np.min([box[0] for box in boxes], axis=0), np.max([box[1] for box in boxes], axis=0)
     mechanism = models[0].mechanism

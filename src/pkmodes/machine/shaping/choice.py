@@ -13,7 +13,7 @@ from pkmodes.core.base import numbers
 from pkmodes.core.base.arguments import Constraint, check_argument, is_number, one_of
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.support.ordering import joined
-from pkmodes.core.support.progress import say
+from pkmodes.core.support.progress import report_progress
 from pkmodes.machine.shaping.at_poses import check_factors, shapers_following_pose
 from pkmodes.machine.shaping.firmware import (
     FIRMWARE_TITLES,
@@ -83,7 +83,7 @@ def choose(
     compared: list[Candidate] = []
     all_names = (*names, *names) if follow and ringing.known_between else names
     for number, name in enumerate(all_names):
-        say(f"shaper {number + 1} of {len(all_names)}: {name}")
+        report_progress(f"shaper {number + 1} of {len(all_names)}: {name}")
         if number < len(names):
             several_modes = firmware is None or len(factors(name)) > 1
             zeta = (

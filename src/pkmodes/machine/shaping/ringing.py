@@ -20,7 +20,7 @@ from pkmodes.core.base.errors import PkmodesError, PoseError
 from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO
 from pkmodes.core.support.motors import drives_in_use, motors_give_way, motors_in_words
-from pkmodes.core.support.progress import say
+from pkmodes.core.support.progress import report_progress
 from pkmodes.core.system.evaluation import number_of_modes
 from pkmodes.loop.sensitivity.spread import spread_of
 from pkmodes.machine.shaping.settings import Setting, setting_combinations
@@ -274,7 +274,7 @@ def evaluate_ringing(
     Raises RobotFileError if a robot file with a setting would be rejected.
     Raises PoseError if no pose is left.
     """
-    say("computing the modes of the machine in use")
+    report_progress("computing the modes of the machine in use")
     if settings is None or (isinstance(settings, Mapping) and not settings):
         drives_used = drives_in_use(model.robot, drives)
         return _at_poses(model, poses, _count(model, modes, drives_used), drives_used)

@@ -18,7 +18,7 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.model import Model
 from pkmodes.core.support.ordering import joined, listed
-from pkmodes.core.support.progress import say
+from pkmodes.core.support.progress import report_progress
 from pkmodes.machine.shaping.choice import choose, relative, relative_at_pose, shaped_by
 from pkmodes.machine.shaping.firmware import FIRMWARE_TITLES
 from pkmodes.machine.shaping.results import Choice, Schedule, Step
@@ -64,7 +64,7 @@ def schedule_of(
     parameter = varying(ringing.settings)
     choices = []
     for i, setting in enumerate(ringing.settings):
-        say(f"setting {i + 1} of {len(ringing.settings)}: {setting}")
+        report_progress(f"setting {i + 1} of {len(ringing.settings)}: {setting}")
         limits: Any = {
             "left": overall_choice.left,
             "length": overall_choice.length,

@@ -9,7 +9,7 @@ import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
 from pkmodes.core.base.numbers import plain
-from pkmodes.core.support.progress import say
+from pkmodes.core.support.progress import report_progress
 from pkmodes.core.support.threads import one_blas_thread
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.quantities import DAMPING, SHAPE_SIGMA
@@ -58,7 +58,7 @@ def identify(campaign: Campaign, *, keep_going: bool = False, inspect: bool = Fa
         refuse_copied_visits(campaign.records, campaign.source)
     outcomes: list[MeasuredRecord] = []
     for record in campaign.records:
-        say(f"record {record.number} of {len(campaign.records)}: {record.pose}")
+        report_progress(f"record {record.number} of {len(campaign.records)}: {record.pose}")
         kind = KINDS.get(record.kind)
         where = f"{campaign.source}: record.{record.number}.kind"
         if kind is None:

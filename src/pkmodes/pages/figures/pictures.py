@@ -20,7 +20,7 @@ from pkmodes.core.mechanism.length import lengths_of
 from pkmodes.core.support.extras import require
 from pkmodes.core.support.motors import motors_in_words
 from pkmodes.core.support.ordering import joined
-from pkmodes.core.support.progress import say
+from pkmodes.core.support.progress import report_progress
 from pkmodes.machine.maps import left_out
 from pkmodes.machine.maps.mapping import map_of
 from pkmodes.machine.maps.poses import checked_poses
@@ -260,19 +260,19 @@ def pictures(model: Model, grid: Any = None, *, drives: str | None = None) -> It
             f"the figures need two components of the pose, {model.mechanism.name} has only {components[0]}"
         )
         raise PkmodesError(problem, model.robot.source, "draw its frequencies in the report of a map")
-    say("choosing the plane of the pictures")
+    report_progress("choosing the plane of the pictures")
     pose_grid = working_plane(model) if grid is None else checked_poses(model.mechanism, grid)
     plane_axes(
         dict(zip(pose_grid.dims, pose_grid.shape, strict=True)), components, "grid"
     )  # before it is evaluated
     drives = model.robot.resolve_drives(drives)
-    say("computing the modes in the plane")
+    report_progress("computing the modes in the plane")
     plane = Plane.of(map_of(model, pose_grid, shapes=True, drives=drives), components)
     robot = RobotPlane(model, plane, drives)
     robot_name = visible_text(model.robot.name, MAX_ROBOT_NAME_LENGTH)
     about = f"{robot_name}, {motors_in_words(model.robot, drives)}, {plane_location(plane)}"
     for number, kind in enumerate(PICTURES, start=1):
-        say(f"picture {number} of {len(PICTURES)}: {kind.name}")
+        report_progress(f"picture {number} of {len(PICTURES)}: {kind.name}")
         description = kind.description if plane.normal else kind.planar or kind.description
         description += kind.addition(robot) if kind.addition else ""
         drawing, title = kind.draw(robot), kind.title.format(body=robot.body)

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from pkmodes.loop.diagnosis.beyond.evidence import CRITERION_TOLERANCE, TermEvidence, sort_best_first
-from pkmodes.loop.diagnosis.beyond.term_fits import fitter_of
+from pkmodes.loop.diagnosis.beyond.term_fits import fitter_without_held_out
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis, parallel_parameters
 from pkmodes.loop.diagnosis.fit.store import FitStore
@@ -36,7 +36,7 @@ def terms_may_compete(structure: Structure, catalogue: Evidence, held_out: Seque
     - held_out: held-out setups
     """
     nuisance_fit = catalogue.outcome.nuisance_fit
-    fitter = fitter_of(structure, catalogue, held_out, catalogue.fitter.shape_scatter)
+    fitter = fitter_without_held_out(structure, catalogue, held_out, catalogue.fitter.shape_scatter)
     baseline = FitStore(fitter).fit(Hypothesis(), fitter.pad_with_declared(nuisance_fit.values))
     if baseline is None:
         return False

@@ -213,4 +213,4 @@ def _p_value(term_fits: TermFits, final: Fit) -> float:
     p = float(stats.chi2.sf(gain, sum(len(added_cause.parameters) for added_cause in final.causes)))
     if len(final.causes) == 1 and allowed_sign(fitter, cause):
         p *= 0.5
-    return min(p_of_smallest(term_fits.directions, p), 1.0)
+    return min(p_of_smallest(term_fits.signature_directions, p), 1.0)

@@ -47,7 +47,7 @@ class Law(NamedTuple):
 
 def p_outside(term_fits: TermFits, final: Fit) -> float:
     """Return the largest probability, over the kinds, that an effect that no term describes looks like some term."""
-    search, baseline, directions = term_fits.search, term_fits.baseline, term_fits.directions
+    search, baseline, directions = term_fits.search, term_fits.baseline, term_fits.signature_directions
     fitter, gain = search.store.fitter, baseline.chi2 - final.chi2
     if gain <= 0.0:
         return 1.0

@@ -1,9 +1,10 @@
-"""Fits beyond the catalogue: each term alone, together with the uncertain values.
+"""Fits beyond the catalogue: one term at a time, with the uncertain values free.
 
-All terms are scored at the refit of the uncertain values with exact rates, the most promising ones are refitted
-together, and those that may survive are completed.  A term that may be anywhere, such as a resonator, is first
-evaluated at all its starts, and one for which the linear model predicts little at several sizes.  If no term leaves
-noise, the best ones are tried beside outliers or a shared error, under the same conditions as the catalogue's causes.
+All terms are scored at the refit of the uncertain values with exact rates, the most promising are refitted, one fit
+per term, in one batch, and those that may survive are completed.  A term with several starts, such as a resonator, is
+first evaluated at each of them.  A term whose linear effect is small is evaluated at several sizes.  If no term
+reduces the residual to noise, the best ones are tried beside outliers or a shared error, under the same conditions as
+the catalogue's causes.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from pkmodes.loop.diagnosis.search.starts import START_FREQUENCY_CHANGES, starts
 from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.loop.diagnosis.verdict.evidence import Evidence
 
-#: Largest number of terms that are refitted for their score, from their starts, and at large sizes.
+#: Largest numbers of terms that are refitted: best by score; with their own starts; at large sizes.
 MAX_TERMS_BY_SCORE, MAX_TERMS_BY_START, MAX_TERMS_BY_SIZE = 40, 20, 10
 #: Number of starts of each term that remain after a comparison at a few setups, and then at all.
 STARTS_AFTER_SUBSAMPLE, STARTS_AFTER_ALL_SETUPS = 6, 4
@@ -34,10 +35,9 @@ STARTS_AFTER_SUBSAMPLE, STARTS_AFTER_ALL_SETUPS = 6, 4
 SUBSAMPLE_SETUPS = 4
 #: Largest relative change of a frequency for which a linear estimate suffices as a start.
 SMALL_CHANGE = 0.05
-#: A fit went astray if it gains less than this part of what the linear estimate promises.
-ASTRAY_GAIN = 0.5
-#: Largest number of measurement errors in addition to terms, one more in each round, and of terms that are tried with
-#: them.
+#: A fit has failed if it gains less than this fraction of what the linear estimate predicts.
+MIN_FRACTION_OF_PREDICTED_GAIN = 0.5
+#: Largest number of rounds, each of which adds one measurement error; and largest number of terms tried with it.
 MAX_ERROR_ROUNDS, MAX_TERMS_WITH_ERRORS = 3, 3
 #: Number of explanations of the catalogue with which terms are compared.
 MAX_CATALOGUE_FITS = 12
@@ -47,7 +47,7 @@ MAX_REPEATS = 2
 
 @dataclass(frozen=True, eq=False)
 class TermFits:
-    """Fits with one term each, and the explanations of the catalogue that leave noise.
+    """Fits with one term each, and the explanations of the catalogue that leave only noise.
 
     - setups: setups of the structure with its terms
     - baseline: fit without any cause, with the measurement errors of the fits
@@ -63,63 +63,63 @@ class TermFits:
     catalogue_fits: tuple[Fit, ...]
 
     @cached_property
-    def directions(self) -> Directions:
+    def signature_directions(self) -> Directions:
         """Directions of all terms, of terms at each of their starts, and of the candidates of the catalogue."""
-        fitter, terms_without_starts = (
-            self.search.store.fitter,
-            [term for term in self.terms if not term.starts],
-        )
+        fitter = self.search.store.fitter
+        terms_without_starts = [term for term in self.terms if not term.starts]
         term_directions = score(fitter, self.baseline, terms_without_starts).directions
         terms_with_starts = [term for term in self.terms if term.starts]
         catalogue_directions = self.search.scores(self.baseline).directions
         return (
             *term_directions,
-            *_directions_of_starts(fitter, self.baseline, terms_with_starts),
+            *_signature_directions_at_starts(fitter, self.baseline, terms_with_starts),
             *catalogue_directions,
         )
 
 
-def _directions_of_starts(
+def _signature_directions_at_starts(
     fitter: Fitter, baseline: Fit, terms: Sequence[Candidate]
 ) -> Iterator[tuple[Array, int]]:
-    """Yield the directions of terms that have their own starts: that of the size, at each start.
+    """For terms with their own starts, yield the normalised signature of the size parameter at each start.
 
     At size 0 the other parameters have no effect, but they determine the effect of a small size: a resonator pushes
     the modes on both sides of its frequency apart.
     """
-    for fixed_values in zip_longest(*(dict.fromkeys(start[1:] for start in term.starts) for term in terms)):
+    for other_parameters in zip_longest(
+        *(dict.fromkeys(start[1:] for start in term.starts) for term in terms)
+    ):
         present_terms = [
-            (term, fixed_values_of_term)
-            for term, fixed_values_of_term in zip(terms, fixed_values, strict=True)
-            if fixed_values_of_term is not None
+            (term, other_parameters_of_term)
+            for term, other_parameters_of_term in zip(terms, other_parameters, strict=True)
+            if other_parameters_of_term is not None
         ]
         values = baseline.values.copy()
-        for term, fixed_values_of_term in present_terms:
-            values[list(fitter.parameter_indices(term))[1:]] = fixed_values_of_term
+        for term, other_parameters_of_term in present_terms:
+            values[list(fitter.parameter_indices(term))[1:]] = other_parameters_of_term
         parameter_indices = [fitter.parameter_indices(term)[0] for term, _ in present_terms]
         raw = np.nan_to_num(fitter.signatures(replace(baseline, values=values), parameter_indices)[1])
         remainder = raw - baseline.basis @ (baseline.basis.T @ raw)
-        size = np.linalg.norm(remainder, axis=0)
-        for k in np.flatnonzero(size > MIN_REMAINDER * np.linalg.norm(raw, axis=0)):
-            yield remainder[:, [k]] / size[k], 1
+        norms = np.linalg.norm(remainder, axis=0)
+        for k in np.flatnonzero(norms > MIN_REMAINDER * np.linalg.norm(raw, axis=0)):
+            yield remainder[:, [k]] / norms[k], 1
 
 
 def try_terms(
-    structure: Structure, catalogue: Evidence, held_out: Sequence[int], progress: Progress | None
+    structure: Structure, catalogue_evidence: Evidence, held_out: Sequence[int], progress: Progress | None
 ) -> TermFits | None:
     """Try all terms of a structure; None if it has none, or cannot be evaluated.
 
     - structure: the structure with its terms, at all measured setups
-    - catalogue: evidence for the causes of the catalogue
+    - catalogue_evidence: evidence for the causes of the catalogue
     - held_out: held-out setups
     """
     terms = tuple(term for term in structure.candidates if term.form)
-    setups, scatter = catalogue.setups, catalogue.fitter.shape_scatter
-    result, c = None, catalogue.criteria
+    setups, scatter = catalogue_evidence.setups, catalogue_evidence.fitter.shape_scatter
+    result, c = None, catalogue_evidence.criteria
     for _ in range(1 + MAX_REPEATS if terms else 0):
-        fitter = fitter_of(structure, catalogue, held_out, scatter)
+        fitter = fitter_without_held_out(structure, catalogue_evidence, held_out, scatter)
         all_setups = AllSetups(structure, setups.data, fitter, list(held_out))
-        result = _Explorer(all_setups, terms, catalogue, progress, result).explore()
+        result = _Explorer(all_setups, terms, catalogue_evidence, progress, result).explore()
         scatters = [] if result is None else [result.search.store.shape_scatter(fit) for fit in result.fits]
         smaller_scatter = min((estimate for estimate in scatters if estimate is not None), default=scatter)
         smaller_scatter = max(smaller_scatter, c.shapes.least_scatter)
@@ -129,26 +129,28 @@ def try_terms(
     return result
 
 
-def fitter_of(structure: Structure, catalogue: Evidence, held_out: Sequence[int], scatter: float) -> Fitter:
+def fitter_without_held_out(
+    structure: Structure, catalogue_evidence: Evidence, held_out: Sequence[int], scatter: float
+) -> Fitter:
     """Return the fitter of a structure with its terms at the setups that are not held out."""
-    data = catalogue.setups.data
+    data = catalogue_evidence.setups.data
     fitted = [i for i in range(len(data.labels)) if i not in held_out]
-    return Fitter(structure.subset(fitted), data.at(fitted), catalogue.criteria, scatter)
+    return Fitter(structure.subset(fitted), data.at(fitted), catalogue_evidence.criteria, scatter)
 
 
 @dataclass(frozen=True)
 class _TermStarts:
-    """A term with its start values, and the kind of each if there are several."""
+    """A term with its start values, and the group of each if there are several."""
 
     hypothesis: Hypothesis
     values: Sequence[Array]
-    kinds: Sequence[float] = ()
+    groups: Sequence[float] = ()
 
     def best_values(self, order: Sequence[int]) -> list[Array]:
-        """Return the best values in an order: the first of each kind, then others."""
-        kinds = self.kinds or [0.0] * len(self.values)
-        first_of_kind = list({kinds[k]: k for k in reversed(order)}.values())
-        selected = [*(k for k in order if k in first_of_kind), *(k for k in order if k not in first_of_kind)][
+        """Return start values in the given order, the best of each group first, at most STARTS_AFTER_SUBSAMPLE."""
+        groups = self.groups or [0.0] * len(self.values)
+        best_of_group = list({groups[k]: k for k in reversed(order)}.values())
+        selected = [*(k for k in order if k in best_of_group), *(k for k in order if k not in best_of_group)][
             :STARTS_AFTER_SUBSAMPLE
         ]
         return [self.values[k] for k in selected]
@@ -174,59 +176,62 @@ class _Explorer:
         self,
         setups: AllSetups,
         terms: tuple[Candidate, ...],
-        catalogue: Evidence,
+        catalogue_evidence: Evidence,
         progress: Progress | None,
         previous: TermFits | None,
     ) -> None:
         self.previous = previous
-        self.setups, self.terms, self.catalogue, self.fitter = setups, terms, catalogue, setups.fitter
+        self.setups, self.terms, self.catalogue_evidence = setups, terms, catalogue_evidence
+        self.fitter = setups.fitter
         self.store, self.criteria = FitStore(setups.fitter), setups.fitter.criteria
         self.progress = progress or (lambda _: None)
         self.search = Search(self.store, setups.structure.candidates, progress)
 
     def explore(self) -> TermFits | None:
         """Try all terms; None if the structure cannot be evaluated."""
-        self.progress(f"scoring {len(self.terms)} terms, each one form at one place")
-        error_hypothesis, tried_hypotheses = Hypothesis(), list[Hypothesis]()
+        self.progress(
+            f"scoring {len(self.terms)} terms (one element, such as a spring or a mass, at one location)"
+        )
         baseline = self.store.fit(
-            error_hypothesis, self.fitter.pad_with_declared(self.catalogue.outcome.nuisance_fit.values)
+            Hypothesis(), self.fitter.pad_with_declared(self.catalogue_evidence.outcome.nuisance_fit.values)
         )
         if baseline is None:
             return None
         fits = first_fits = self._refit_terms(baseline)
+        assumed_errors, tried_errors = Hypothesis(), list[Hypothesis]()
         for _ in range(MAX_ERROR_ROUNDS):
-            if any(self._leaves_noise(fit) for fit in fits[: self.criteria.search.best_few]):
+            if any(self._reduces_residual_to_noise(fit) for fit in fits[: self.criteria.search.best_few]):
                 break
-            tried_hypotheses.append(error_hypothesis)
+            tried_errors.append(assumed_errors)
             # Measurement errors that let the best terms explain most.
-            error_fits = [
+            fits_with_another_error = [
                 option
                 for fit in fits[:MAX_TERMS_WITH_ERRORS]
                 for option in self.search.additions.with_errors(fit)
             ]
-            best_errors = min(error_fits, key=self.store.criterion, default=None)
-            extended_hypothesis, refit = error_hypothesis, None
-            if best_errors is not None and self.store.criterion(best_errors) < self.store.criterion(fits[0]):
-                extended_hypothesis = replace(best_errors.hypothesis, causes=())
-            if extended_hypothesis not in tried_hypotheses:
-                refit = self.store.fit(extended_hypothesis, baseline.values)
-            if refit is None:
+            best_fit = min(fits_with_another_error, key=self.store.criterion, default=None)
+            next_errors, next_baseline = assumed_errors, None
+            if best_fit is not None and self.store.criterion(best_fit) < self.store.criterion(fits[0]):
+                next_errors = replace(best_fit.hypothesis, causes=())
+            if next_errors not in tried_errors:
+                next_baseline = self.store.fit(next_errors, baseline.values)
+            if next_baseline is None:
                 fits = first_fits
                 break
-            error_hypothesis, fits = extended_hypothesis, self._refit_terms(refit)
-        error_hypothesis = replace(fits[0].hypothesis, causes=()) if fits else Hypothesis()
-        final_baseline = self.store.fit(error_hypothesis) or baseline
+            assumed_errors, fits = next_errors, self._refit_terms(next_baseline)
+        final_errors = replace(fits[0].hypothesis, causes=()) if fits else Hypothesis()
+        final_baseline = self.store.fit(final_errors) or baseline
         return TermFits(
             self.setups, self.search, self.terms, final_baseline, tuple(fits), tuple(self._refit_catalogue())
         )
 
     def _refit_catalogue(self) -> list[Fit]:
-        """Return the best explanations of the catalogue that leave noise, fitted again."""
-        store, level = self.catalogue.store, self.criteria.gate.surely
+        """Return the best explanations of the catalogue that reduce the residual to noise, fitted again."""
+        store, level = self.catalogue_evidence.store, self.criteria.gate.surely
         names = {candidate.name for candidate in self.search.candidates}
         explaining = [
             fit
-            for fit in {id(fit): fit for fit in (self.catalogue.final, *store.all_fits())}.values()
+            for fit in {id(fit): fit for fit in (self.catalogue_evidence.final, *store.all_fits())}.values()
             if fit.causes
             and all(cause.name in names for cause in fit.causes)
             and not fit.at_bound
@@ -241,7 +246,7 @@ class _Explorer:
         return [fit for fit in fits if fit is not None]
 
     def _refit_terms(self, baseline: Fit) -> list[Fit]:
-        """Return fits with one term in addition to the measurement errors of a fit, best first."""
+        """Fit each term separately, with the measurement errors assumed in the baseline; best first."""
         if self.previous is not None:
             previous_values = [
                 (baseline.hypothesis.with_cause(fit.causes[0]), [fit.values]) for fit in self.previous.fits
@@ -251,59 +256,79 @@ class _Explorer:
             term for term in self.terms if not term.starts and self._is_testable(baseline, term)
         ]
         scores = score(self.fitter, baseline, terms_without_starts).by_candidate
-        visible_entries = [entry for entry in scores if entry.is_visible and entry.gain > 0.0]
-        best_entries = sorted(visible_entries, key=lambda entry: -entry.gain)[:MAX_TERMS_BY_SCORE]
+        visible_scores = [
+            term_score for term_score in scores if term_score.is_visible and term_score.gain > 0.0
+        ]
+        best_scores = sorted(visible_scores, key=lambda term_score: -term_score.gain)[:MAX_TERMS_BY_SCORE]
         # The linear estimate suffices for small changes of modes that are all paired.
         are_all_paired = bool(
             (baseline.pairing.partner[self.fitter.used_row_mask(baseline.hypothesis)] >= 0).all()
         )
-        small_entries = [
-            entry
-            for entry in best_entries
-            if are_all_paired and float(entry.largest_rates @ np.abs(entry.step)) <= SMALL_CHANGE
+        small_change_scores = [
+            term_score
+            for term_score in best_scores
+            if are_all_paired and float(term_score.largest_rates @ np.abs(term_score.step)) <= SMALL_CHANGE
         ]
-        small_names = {entry.candidate.name for entry in small_entries}
-        large_entries = [entry for entry in best_entries if entry.candidate.name not in small_names]
-        self.progress(f"refitting with the {len(best_entries)} most promising of {len(self.terms)} terms")
-        fits = self.search.additions.refit([(baseline, entry) for entry in large_entries])
+        small_change_names = {term_score.candidate.name for term_score in small_change_scores}
+        large_change_scores = [
+            term_score for term_score in best_scores if term_score.candidate.name not in small_change_names
+        ]
+        self.progress(f"refitting with the {len(best_scores)} most promising of {len(self.terms)} terms")
+        fits = self.search.additions.refit([(baseline, term_score) for term_score in large_change_scores])
         linear_starts = [
-            (baseline.hypothesis.with_cause(entry.candidate), [self._values_with_step(baseline, entry)])
-            for entry in small_entries
+            (
+                baseline.hypothesis.with_cause(term_score.candidate),
+                [self._values_with_step(baseline, term_score)],
+            )
+            for term_score in small_change_scores
         ]
-        overlooked = [entry for entry in scores if entry not in best_entries and entry.largest_rates[0] > 0.0]
-        own_starts = [*self._terms_with_starts(baseline), *self._large_terms(baseline, overlooked)]
+        remaining_scores = [
+            term_score
+            for term_score in scores
+            if term_score not in best_scores and term_score.largest_rates[0] > 0.0
+        ]
+        hypotheses_with_starts = [
+            *self._terms_with_starts(baseline),
+            *self._terms_at_large_sizes(baseline, remaining_scores),
+        ]
         best_starts = [
             (h, [values[k] for _, k in order[:STARTS_AFTER_ALL_SETUPS]])
-            for (h, values), order in zip(own_starts, _rank_starts(self.fitter, own_starts), strict=True)
+            for (h, values), order in zip(
+                hypotheses_with_starts, _rank_starts(self.fitter, hypotheses_with_starts), strict=True
+            )
         ]
         rough_fits = self.store.rough_fits([*linear_starts, *best_starts])
-        return self.store.complete([*fits, *self._restart_astray(baseline, small_entries, rough_fits)])
+        return self.store.complete(
+            [*fits, *self._restart_failed_fits(baseline, small_change_scores, rough_fits)]
+        )
 
-    def _restart_astray(
-        self, baseline: Fit, small_entries: Sequence[Score], rough_fits: Sequence[Fit]
+    def _restart_failed_fits(
+        self, baseline: Fit, small_change_scores: Sequence[Score], rough_fits: Sequence[Fit]
     ) -> list[Fit]:
-        """Return the rough fits, restarting those that went astray, as when close modes are exchanged."""
-        entry_by_name = {entry.candidate.name: entry for entry in small_entries}
-        astray = [
-            (fit, entry_by_name[name])
+        """Return the rough fits, restarting those that failed, as when close modes are exchanged."""
+        score_by_name = {term_score.candidate.name: term_score for term_score in small_change_scores}
+        failed_fits = [
+            (fit, score_by_name[name])
             for fit in rough_fits
-            if (name := fit.causes[0].name) in entry_by_name
-            and fit.deviance > baseline.deviance - ASTRAY_GAIN * entry_by_name[name].gain
+            if (name := fit.causes[0].name) in score_by_name
+            and fit.deviance > baseline.deviance - MIN_FRACTION_OF_PREDICTED_GAIN * score_by_name[name].gain
         ]
-        good_fits = [fit for fit in rough_fits if all(fit is not restarted for restarted, _ in astray)]
-        new_starts = starts(self.fitter, [(baseline, entry, fit.hypothesis) for fit, entry in astray])
+        good_fits = [fit for fit in rough_fits if all(fit is not restarted for restarted, _ in failed_fits)]
+        new_starts = starts(
+            self.fitter, [(baseline, term_score, fit.hypothesis) for fit, term_score in failed_fits]
+        )
         restarts = [
             (fit.hypothesis, [*values, fit.values])
-            for (fit, _), values in zip(astray, new_starts, strict=True)
+            for (fit, _), values in zip(failed_fits, new_starts, strict=True)
         ]
         return [*good_fits, *self.store.rough_fits(restarts)]
 
-    def _values_with_step(self, baseline: Fit, entry: Score) -> Array:
+    def _values_with_step(self, baseline: Fit, term_score: Score) -> Array:
         """Return the values of a fit with the linear estimate of a term."""
         return self._values_with(
             baseline,
-            entry.candidate,
-            baseline.values[list(self.fitter.parameter_indices(entry.candidate))] + entry.step,
+            term_score.candidate,
+            baseline.values[list(self.fitter.parameter_indices(term_score.candidate))] + term_score.step,
         )
 
     def _is_testable(self, baseline: Fit, term: Candidate) -> bool:
@@ -315,27 +340,31 @@ class _Explorer:
         terms = [term for term in self.terms if term.starts and self._is_testable(baseline, term)]
         trials = []
         for term in terms:
-            # The kind of a start is its value of the parameter with the fewest distinct values: the mass.
+            # Starts are grouped by the parameter with the fewest distinct values, which is the mass.
             columns = list(zip(*term.starts, strict=True))
-            kinds = min(columns, key=lambda column: len({*column})) if len(columns) > 1 else ()
+            groups = min(columns, key=lambda column: len({*column})) if len(columns) > 1 else ()
             values = [self._values_with(baseline, term, start) for start in term.starts]
-            trials.append(_TermStarts(baseline.hypothesis.with_cause(term), values, kinds))
+            trials.append(_TermStarts(baseline.hypothesis.with_cause(term), values, groups))
         if trials:
-            self.progress(f"starting {len(trials)} terms with a frequency of their own")
+            self.progress(f"comparing starts of {len(trials)} terms that have their own resonance")
         return self._most_promising(trials)[:MAX_TERMS_BY_START]
 
-    def _large_terms(self, baseline: Fit, scores: Sequence[Score]) -> list[tuple[Hypothesis, list[Array]]]:
+    def _terms_at_large_sizes(
+        self, baseline: Fit, scores: Sequence[Score]
+    ) -> list[tuple[Hypothesis, list[Array]]]:
         """Return the most promising terms for which the linear model predicts little, with their best sizes."""
         trials = [
             _TermStarts(
-                baseline.hypothesis.with_cause(entry.candidate),
+                baseline.hypothesis.with_cause(term_score.candidate),
                 [
-                    self._values_with(baseline, entry.candidate, [sign * size / entry.largest_rates[0]])
+                    self._values_with(
+                        baseline, term_score.candidate, [sign * size / term_score.largest_rates[0]]
+                    )
                     for size in START_FREQUENCY_CHANGES
                 ],
             )
-            for entry in scores
-            if (sign := allowed_sign(self.fitter, entry.candidate))
+            for term_score in scores
+            if (sign := allowed_sign(self.fitter, term_score.candidate))
         ]
         return self._most_promising(trials)[:MAX_TERMS_BY_SIZE]
 
@@ -354,7 +383,7 @@ class _Explorer:
             else range(count)
         )
         subsample_fitter = self.fitter.at_setups(list(subsample_setups)) if trials else self.fitter
-        # Excluded rows are dropped for fewer setups, where rows are numbered differently.
+        # Excluded rows are omitted: the fitter of the subset numbers its rows differently.
         ranked = _rank_starts(
             subsample_fitter, [(Hypothesis(trial.hypothesis.causes), trial.values) for trial in trials]
         )
@@ -365,7 +394,7 @@ class _Explorer:
             if np.isfinite(order[0][0])
         ]
 
-    def _leaves_noise(self, fit: Fit) -> bool:
-        """Return whether a fit leaves noise."""
+    def _reduces_residual_to_noise(self, fit: Fit) -> bool:
+        """Return whether a fit reduces the residual to noise."""
         level = self.criteria.gate.surely
         return not fit.at_bound and self.store.p_value(fit) > level and self.search.gate(fit).passes_at(level)
