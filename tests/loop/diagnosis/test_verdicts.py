@@ -189,7 +189,7 @@ def test_a_cause_outside_the_candidates_is_not_claimed() -> None:
             frame(loads, only=["first floor", "brace 1", "brace 4"]), drawn(loads, seed, change=grounded)
         )
         assert found.verdict == "unexplained"
-        assert "residual is real" in found.reason or "points to no candidate" in found.reason
+        assert "residual is significant" in found.reason or "points to no candidate" in found.reason
         assert found.refit.chi2_per_dof > 10.0
 
 

@@ -32,7 +32,7 @@ from pkmodes.loop.diagnosis.search.search import Search
 from pkmodes.loop.diagnosis.verdict import reasons
 from pkmodes.loop.diagnosis.verdict.held_out import held_out_remarks
 from pkmodes.loop.diagnosis.verdict.rows import Error
-from pkmodes.loop.diagnosis.verdict.values import p_absent
+from pkmodes.loop.diagnosis.verdict.values import wald_p_value
 
 SETUPS, MODES = 10, 5
 
@@ -244,7 +244,7 @@ def test_a_cause_beyond_what_was_declared_plausible_is_named_with_its_value() ->
     result = diagnose(frame(0.1, 0.1), measured({"storey 2": 0.5}, sigma=0.005), holdout=())
     assert (result.verdict, result.rule) == ("unexplained", "open.beyond_prior")
     assert "storey 2 = 0.5" in result.reason
-    assert "outside the range declared plausible" in result.reason
+    assert "sigma from its declared value" in result.reason
 
 
 def test_shapes_that_do_not_fit_are_not_called_a_residual_of_the_frequencies() -> None:
@@ -362,7 +362,7 @@ def test_the_significance_of_a_value_is_that_of_a_normal_number(strength: float)
     assert fit is not None
     # The fit is finished to 1e-6 of its sum of squares.
     expected = 2.0 * stats.norm.sf(strength)
-    assert p_absent(search, fit, model.candidates[0]) == pytest.approx(expected, rel=1e-3)
+    assert wald_p_value(search, fit, model.candidates[0]) == pytest.approx(expected, rel=1e-3)
 
 
 def test_a_cause_that_leaves_more_than_the_stated_errors_is_named_in_the_reason() -> None:
@@ -373,7 +373,10 @@ def test_a_cause_that_leaves_more_than_the_stated_errors_is_named_in_the_reason(
     assert result.verdict == "unexplained"
     assert result.reason.startswith("a explains nearly all of the residual")
     left = 1.8 * own - a * (a @ (1.8 * own))
-    assert f"it is {np.sqrt(left @ left / (len(left) - 1)):.2g} times as large as these" in result.reason
+    assert (
+        f"the rest is {np.sqrt(left @ left / (len(left) - 1)):.2g} times as large as the stated"
+        in result.reason
+    )
     # A cause that leaves as much as it explains is not named.
     assert "nearly all" not in found(linear({"a": a, "b": b}), 300.0 * a + 200.0 * DIRECTIONS[5]).reason
 
@@ -416,7 +419,7 @@ def test_a_residual_of_the_shapes_alone_is_not_called_smaller_than_the_stated_er
     result = diagnose(plain, rows, holdout=())
     assert result.rule == "open.real"
     ratio = np.sqrt(stats.chi2.isf(0.003, degrees) / degrees)
-    assert f"the residual is real, {ratio:.2g} times as large as the stated errors" in result.reason
+    assert f"the residual is significant: {ratio:.2g} times as large as the stated errors" in result.reason
 
 
 @pytest.mark.parametrize(("away", "verdict"), [(0.0, "effect_found"), (10.0, "unexplained")])

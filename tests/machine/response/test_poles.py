@@ -12,6 +12,8 @@ from helpers.references.whole_system import companion_poles, full_damping
 from helpers.robots.damped_robots import BACKENDS, CASES, DRIVES, EFFECTS, FRICTION, LOSSES, repeated
 from helpers.robots.one_of_each import POSES, model_of
 from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.linalg.damping import ModalDamping
+from pkmodes.machine.response.poles import poles, ratios_of_poles
 
 
 def test_poles_are_those_of_the_whole_first_order_system(subtests: pytest.Subtests) -> None:
@@ -72,6 +74,14 @@ def test_rigid_modes_have_poles_of_friction_alone(mechanism: str) -> None:
     largest = np.abs(found).max()
     assert (np.abs(found[:2]) < 1e-7 * largest).all()
     np.testing.assert_allclose(np.sort(found[2:4].real), np.sort(-friction / mass), rtol=1e-4)
+
+
+def test_poles_without_any_vibration_mode_are_those_of_friction() -> None:
+    """Two rigid modes that friction couples: the other poles are minus the eigenvalues of D, 3 and 1."""
+    D = np.array([[[2.0, 1.0], [1.0, 2.0]]])
+    damping = ModalDamping(np.zeros((1, 2)), D, 2)
+    assert poles(damping)[0] == pytest.approx([0.0, 0.0, -1.0, -3.0], abs=1e-12)
+    assert ratios_of_poles(damping).shape == (1, 2)
 
 
 def test_poles_of_stiff_joints_are_those_of_locked_ones(subtests: pytest.Subtests) -> None:

@@ -101,7 +101,7 @@ def test_the_frequencies_of_setups_have_the_lines_of_each_stage_and_a_mark_for_e
 def test_bands_are_one_standard_deviation_on_either_side_of_the_declared_model() -> None:
     """The declared model has 102, 210 Hz and 98, 190, 206 Hz; one mode of setup A has no standard deviation."""
     spread = np.array([[2.0, np.nan, np.nan], [1.0, 3.0, 0.5]])
-    (axes,) = setup_frequencies(replace(EVIDENCE, spread=spread)).figure.axes
+    (axes,) = setup_frequencies(replace(EVIDENCE, frequency_sigma=spread)).figure.axes
     (bands,) = (one for one in axes.collections if one.get_label() == "\u00b1 \u03c3 as declared")
     boxes = sorted(
         tuple(path.vertices[:4].min(axis=0)) + tuple(path.vertices[:4].max(axis=0))
@@ -109,7 +109,7 @@ def test_bands_are_one_standard_deviation_on_either_side_of_the_declared_model()
     )
     expected = [(0, 102.0, 2.0), (1, 98.0, 1.0), (1, 190.0, 3.0), (1, 206.0, 0.5)]
     assert boxes == [pytest.approx((at - 0.36, f - s, at + 0.36, f + s)) for at, f, s in expected]
-    *_, by_frequency = figures.mode_figures(replace(EVIDENCE, spread=spread))
+    *_, by_frequency = figures.mode_figures(replace(EVIDENCE, frequency_sigma=spread))
     assert "one standard deviation on either side of the model as declared" in by_frequency.caption
     *_, without = figures.mode_figures(EVIDENCE)
     assert without.caption.startswith("Frequencies at each pose")

@@ -231,7 +231,7 @@ def test_each_frequency_has_the_limits_of_its_own_band() -> None:
     result, data = made_up(1, 2)
     evidence = PlottedEvidence.of(result, data)
     frequencies, sigmas = evidence.stages[0].predicted.elastic_frequencies[0, :2], np.array([1.0, 3.0])
-    drawing = setup_frequencies(replace(evidence, spread=sigmas[None]))
+    drawing = setup_frequencies(replace(evidence, frequency_sigma=sigmas[None]))
     for end, limits in (("lower", frequencies - sigmas), ("upper", frequencies + sigmas)):
         rows = table(drawing.draw)
         found = of(rows, "frequency [Hz]", series=f"\u00b1 \u03c3 as declared, {end} limit")

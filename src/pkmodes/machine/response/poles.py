@@ -1,4 +1,4 @@
-"""Poles of a robot at poses, and where the ratio of light damping is not that of the pole.
+"""Poles of a robot, and where the light-damping approximation of the damping ratio differs from that of the pole.
 
 The poles are the eigenvalues of the damped system in modal coordinates (`pkmodes.core.linalg.damping`), whatever the
 damping.
@@ -21,9 +21,9 @@ from pkmodes.machine.response.linearised import LinearisedRobot, nan_in_both_par
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Modes whose eigenvalues exceed those of all lower ones by this factor may be solved for separately from these,
+#: Modes are solved separately if their eigenvalues exceed all lower ones by this factor
 MIN_SEPARATION_RATIO = 1e6
-#: if what damping couples of them, D_ij^2 / lambda_j, is below this.
+#: and the damping coupling D_ij^2 / lambda_j is below this.
 MAX_COUPLING = 1e-12
 #: A note names ratios that differ from that of their pole by more than this fraction.
 MAX_RATIO_DIFFERENCE = 0.1
@@ -56,8 +56,8 @@ def poles_at(
     -------
     ndarray of complex128, shape (..., 2 m)
         In 1/s, by ascending magnitude; of a pair, the one with positive imaginary part first.  They are exact for
-        viscous friction and damping ratios; a loss factor is the viscous damping that it is at the frequency of
-        each mode.
+        viscous friction and damping ratios; a loss factor is replaced by the equivalent viscous
+        damping at the frequency of each mode.
 
     Examples
     --------
@@ -76,7 +76,7 @@ def poles_at(
 
 
 def notes_on_damping(linearised: LinearisedRobot, ratios: Array) -> list[str]:
-    """Return sentences on the modes at a pose whose ratio of light damping is not that of their pole.
+    """Return notes on modes where the light-damping approximation of the damping ratio differs from that of the pole.
 
     - linearised: robot at one pose
     - ratios: of `pkmodes.Modes.damping_ratios`, (m,)
@@ -88,8 +88,8 @@ def notes_on_damping(linearised: LinearisedRobot, ratios: Array) -> list[str]:
     for i in range(linearised.rigid, len(ratios)):
         if abs(ratios[i] - exact[i]) > MAX_RATIO_DIFFERENCE * exact[i]:
             notes.append(
-                f"mode {i + 1 - linearised.rigid}: the damping ratio {plain(ratios[i], 3)} is that of light damping, "
-                f"but that of the pole is {plain(exact[i], 3)}: use the poles"
+                f"mode {i + 1 - linearised.rigid}: the damping ratio {plain(ratios[i], 3)} assumes light "
+                f"damping; that of the pole is {plain(exact[i], 3)}: use the poles"
             )
     return notes
 
@@ -100,42 +100,44 @@ def poles(damping: ModalDamping) -> Complex:
     if np.count_nonzero(D) <= np.count_nonzero(np.diagonal(D, axis1=-2, axis2=-1)):  # it couples no modes
         # The roots of s^2 + d s + lambda = 0 of each mode, without cancellation.
         half = 0.5 * np.diagonal(D, axis1=-2, axis2=-1)
-        square = half**2 - damping.eigenvalues
-        root = np.sqrt(square.astype(complex))
+        discriminant = half**2 - damping.eigenvalues
+        root = np.sqrt(discriminant.astype(complex))
         first = -(half + root)
         with np.errstate(divide="ignore", invalid="ignore"):
-            of_real = np.where(first == 0.0, 0.0, damping.eigenvalues / first)
-        return _sorted(np.concatenate([first, np.where(square >= 0.0, of_real, root - half)], axis=1))
-    values = np.linalg.eigvals(_first_order(damping)).astype(complex)
+            second_real_root = np.where(first == 0.0, 0.0, damping.eigenvalues / first)
+        return _sorted(
+            np.concatenate([first, np.where(discriminant >= 0.0, second_real_root, root - half)], axis=1)
+        )
+    values = np.linalg.eigvals(_state_matrix(damping)).astype(complex)
     for pose, parts in _separable_parts(damping):
-        values[pose] = np.concatenate([np.linalg.eigvals(_first_order(part))[0] for part in parts])
+        values[pose] = np.concatenate([np.linalg.eigvals(_state_matrix(part))[0] for part in parts])
     return _sorted(values)
 
 
 def ratios_of_poles(damping: ModalDamping) -> Array:
     """Return the damping ratios -Re(s)/|s| of the poles in which each mode takes part most, (N, m)."""
-    ratios = _ratios_of_poles(damping)
+    ratios = _ratios_of_one_block(damping)
     for pose, parts in _separable_parts(damping):
-        ratios[pose] = np.concatenate([_ratios_of_poles(part)[0] for part in parts])
+        ratios[pose] = np.concatenate([_ratios_of_one_block(part)[0] for part in parts])
     return ratios
 
 
 def _separable_parts(damping: ModalDamping) -> Iterator[tuple[int, list[ModalDamping]]]:
     """Yield the poses with modes far above the others, with the modes in separate parts.
 
-    Rounding of the fastest modes would take digits from the slow ones.  What damping couples between them changes
-    their poles by a fraction D_ij^2 / lambda_j.
+    Rounding errors of the fast modes would cost the slow modes digits.  Damping that couples the parts changes their
+    poles by a fraction D_ij^2 / lambda_j.
     """
-    eigenvalues, D, rigid = damping
+    eigenvalues, D, rigid_count = damping
     magnitudes = np.abs(eigenvalues)
     m = magnitudes.shape[1]
-    for pose in np.flatnonzero(
-        (magnitudes[:, -1] > MIN_SEPARATION_RATIO * magnitudes[:, rigid : rigid + 1].max(axis=1))
-        & (m > rigid)
-    ):
+    if m <= rigid_count:
+        return
+    lowest_vibration = magnitudes[:, rigid_count]
+    for pose in np.flatnonzero(magnitudes[:, -1] > MIN_SEPARATION_RATIO * lowest_vibration):
         cuts = [
             i
-            for i in range(rigid + 1, m)
+            for i in range(rigid_count + 1, m)
             if magnitudes[pose, i] > MIN_SEPARATION_RATIO * magnitudes[pose, i - 1]
             and (D[pose, :i, i:] ** 2 <= MAX_COUPLING * magnitudes[pose, i:]).all()
         ]
@@ -150,8 +152,8 @@ def _separable_parts(damping: ModalDamping) -> Iterator[tuple[int, list[ModalDam
             )
 
 
-def _ratios_of_poles(damping: ModalDamping) -> Array:
-    values, vectors = np.linalg.eig(_first_order(damping))
+def _ratios_of_one_block(damping: ModalDamping) -> Array:
+    values, vectors = np.linalg.eig(_state_matrix(damping))
     m = damping.eigenvalues.shape[1]
     participation = np.abs(vectors[:, :m]) ** 2 + np.abs(vectors[:, m:]) ** 2
     is_upper_half = (values.imag >= 0.0)[:, None]
@@ -161,7 +163,7 @@ def _ratios_of_poles(damping: ModalDamping) -> Array:
         return np.asarray(-pole.real / np.abs(pole))
 
 
-def _first_order(damping: ModalDamping) -> Array:
+def _state_matrix(damping: ModalDamping) -> Array:
     """Return the matrix of the rates of (omega eta, eta_dot), whose entries are all in 1/s."""
     eigenvalues, D, _ = damping
     count, m = eigenvalues.shape

@@ -48,8 +48,8 @@ class PlottedEvidence:
     - poses: in SI units, (S, d); d = 0 where they are unknown, or the structure has no positions
     - components, units: length d
     - setup_noun: noun for a setup, such as pose
-    - spread: standard deviations of the frequencies of the declared model, propagated from those in the robot file,
-      (S, m) [Hz]
+    - frequency_sigma: standard deviations of the frequencies of the declared model, propagated from those in the
+      robot file, (S, m) [Hz]
     """
 
     labels: tuple[str, ...]
@@ -63,7 +63,7 @@ class PlottedEvidence:
     components: tuple[str, ...]
     units: tuple[str, ...]
     setup_noun: str
-    spread: Array | None = None
+    frequency_sigma: Array | None = None
 
     @classmethod
     def of(
@@ -71,13 +71,13 @@ class PlottedEvidence:
         result: Diagnosis | Comparison,
         data: Measurements | None = None,
         setup_noun: str = "pose",
-        spread: Array | None = None,
+        frequency_sigma: Array | None = None,
     ) -> PlottedEvidence:
         """Return the values to be drawn for a result.
 
         - data: the measurements of the result: their poses are the axes of some figures
         - setup_noun: noun for a setup, such as pose, or setup for a structure without positions
-        - spread: standard deviations of the frequencies of the declared model, (S, m) [Hz]
+        - frequency_sigma: standard deviations of the frequencies of the declared model, (S, m) [Hz]
 
         Raises PkmodesError if the measurements are not those of the result.
         """
@@ -117,7 +117,7 @@ class PlottedEvidence:
             components=() if data_with_positions is None else data_with_positions.components,
             units=() if data_with_positions is None else data_with_positions.component_units,
             setup_noun=setup_noun,
-            spread=spread,
+            frequency_sigma=frequency_sigma,
         )
 
     @property

@@ -28,7 +28,7 @@ BAND_OPACITY, BAND_LABEL = 0.25, "\u00b1 \u03c3 as declared"
 def setup_frequencies(evidence: PlottedEvidence) -> Drawing:
     """Draw the frequencies at all setups: dots are measured, lines are the model.
 
-    Bands are one standard deviation on either side of the declared model, from those of the declared values.
+    Bands: one standard deviation of the declared model's frequencies, propagated from those of the declared values.
     """
 
     def draw(sheet: Sheet) -> None:
@@ -43,8 +43,10 @@ def setup_frequencies(evidence: PlottedEvidence) -> Drawing:
             )
             rasterized, label = len(y) > marks.RASTERIZE_ABOVE, f"model {stage.title}"
             panel.lines(ends, y[:, None], label=label, zorder=2, rasterized=rasterized, **style)
-        if evidence.spread is not None:
-            _shade_bands(panel, evidence.stages[0].predicted.elastic_frequencies, evidence.spread, highest)
+        if evidence.frequency_sigma is not None:
+            _shade_bands(
+                panel, evidence.stages[0].predicted.elastic_frequencies, evidence.frequency_sigma, highest
+            )
         setup_positions = evidence.setup_indices.astype(float)
         has_partner = evidence.mode_numbers() > 0
         marks.mark_rows(panel, evidence, np.where(has_partner, setup_positions, np.nan), evidence.measured)
@@ -66,13 +68,13 @@ def setup_frequencies(evidence: PlottedEvidence) -> Drawing:
 
 
 def _shade_bands(
-    panel: Panel, frequencies: NDArray[np.float64], spread: NDArray[np.float64], highest: float
+    panel: Panel, frequencies: NDArray[np.float64], frequency_sigma: NDArray[np.float64], highest: float
 ) -> None:
     """Shade one standard deviation on either side of the lines of the declared model."""
     from matplotlib.collections import PolyCollection
 
-    mode_count = min(frequencies.shape[1], spread.shape[1])  # modes in both; padding is NaN
-    y, sigma = frequencies[:, :mode_count], spread[:, :mode_count]
+    mode_count = min(frequencies.shape[1], frequency_sigma.shape[1])  # modes in both; padding is NaN
+    y, sigma = frequencies[:, :mode_count], frequency_sigma[:, :mode_count]
     setup, mode = np.nonzero((y <= highest) & (sigma > 0.0))
     if not len(setup):
         return

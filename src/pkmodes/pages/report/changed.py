@@ -43,7 +43,8 @@ if TYPE_CHECKING:
 UNFOLDED_SECTIONS = ("changes", "causes", "beyond", "place", "errors")
 #: Prefix of values that differ from day to day, and the number of standard deviations from which that is reported.
 DAY_PREFIX, MIN_DAY_SIGMAS = "day.", 3.0
-#: Maximum number of rows in the table of all modes of both states, and of the largest changes, which are unfolded.
+#: Maximum numbers of rows: of the table of all modes, and of the table of the largest changes, which is
+#: shown unfolded.
 MAX_ROWS, MAX_LARGEST_CHANGES = 300, 12
 #: Colours by whether anything changed.
 TONE_BY_CHANGE: dict[bool | None, Colour] = {True: "found", False: "good", None: "plain"}
@@ -68,12 +69,10 @@ def change_headline(result: Change, context: ReportContext) -> str:
         return clean(f"Nothing changed since {trusted} beyond the errors of both{exception}")
     if not result.explained:
         return clean(f"Something changed since {trusted}, and the data do not tell what")
-    ending = f"hanged since {trusted}: {_best_explanation(result, context)}"
-    return clean(
-        f"Doubtful ({probability}): c{ending}"
-        if (probability := doubtful_probability(result))
-        else f"C{ending}"
-    )
+    explanation = _best_explanation(result, context)
+    if probability := doubtful_probability(result):
+        return clean(f"Doubtful ({probability}): changed since {trusted}: {explanation}")
+    return clean(f"Changed since {trusted}: {explanation}")
 
 
 def _best_explanation(result: Change, context: ReportContext) -> str:
@@ -81,16 +80,16 @@ def _best_explanation(result: Change, context: ReportContext) -> str:
     if len(result.effects) > 1:
         return result.what.removeprefix("change ").removeprefix("found: ")
     if result.effects:
-        finding, values = result.effects[0], result.corrected
+        finding, corrected_values = result.effects[0], result.corrected
     else:
         assert result.beyond is not None
         assert result.beyond.found is not None
-        finding, values = result.beyond.found.finding, result.beyond.found.corrected
+        finding, corrected_values = result.beyond.found.finding, result.beyond.found.corrected
     member = finding.member(finding.name)
-    sizes = [_size_in_words(value, values, context) for value in finding.alternatives[finding.name]]
+    sizes = [_size_in_words(value, corrected_values, context) for value in finding.alternatives[finding.name]]
     words = sizes[0] if sizes and sizes[0].startswith("the ") else ", ".join([member.words, *sizes])
     if len(sizes) > 1 and finding.alone is not None:
-        words = member.words  # it has the size of the one joint that changed
+        words = member.words  # the words already state the size for the joint that changed
     alternatives = len(finding.members) - 1
     return (
         f"{words}, or {plural(alternatives, 'other')} that {'acts' if alternatives == 1 else 'act'} alike"
@@ -99,9 +98,9 @@ def _best_explanation(result: Change, context: ReportContext) -> str:
     )
 
 
-def _size_in_words(value: Value, values: Sequence[Corrected], context: ReportContext) -> str:
+def _size_in_words(value: Value, corrected_values: Sequence[Corrected], context: ReportContext) -> str:
     """Return the change of a declared value in per cent, or the size of what was not there before."""
-    before = next((parameter.declared for parameter in values if parameter.name == value.name), 0.0)
+    before = next((parameter.declared for parameter in corrected_values if parameter.name == value.name), 0.0)
     if before and (words := context.meaning(value.name)):
         change = round_to_sigma(100.0 * (value.value / before - 1.0), 100.0 * abs(value.sigma / before))
         return f"the {words}, by {change} %"
@@ -120,18 +119,21 @@ def change_summary(result: Change, context: ReportContext) -> Summary:
             _count_cell(sum(counterpart is None for counterpart in result.counterparts)),
         ),
         ("rms change [%]", numbers.percent_cell(rms)),
-        ("error of the model in both [%]", numbers.percent_cell(result.model_error, pointer("model_error"))),
+        (
+            "model error common to both states [%]",
+            numbers.percent_cell(result.model_error, pointer("model_error")),
+        ),
     ]
     last_error = result.after or result.refit or result.before
-    term_class = None if result.beyond is None or result.effects else result.beyond.found
-    if term_class is not None:
-        last_error = term_class.errors[term_class.finding.name]
+    found_term = None if result.beyond is None or result.effects else result.beyond.found
+    if found_term is not None:
+        last_error = found_term.errors[found_term.finding.name]
     if last_error is not None and not result.by_state:
         facts.append(("final chi\u00b2 per degree of freedom", three_digit_cell(last_error.chi2_per_dof)))
     return Summary(
         subject=context.title(row.drives for row in result.rows),
         kind="What changed",
-        verdict="" if result.by_state or term_class is not None else result.verdict,
+        verdict="" if result.by_state or found_term is not None else result.verdict,
         headline=typeset_powers(change_headline(result, context)),
         reason=typeset_powers(to_sentence(result.reason)),
         tone=AMBIGUOUS.colour if doubtful_probability(result) else TONE_BY_CHANGE[result.changed],
@@ -143,7 +145,10 @@ def change_summary(result: Change, context: ReportContext) -> Summary:
 
 
 def action_after_change(result: Change, context: ReportContext) -> Facts:
-    """Return what to inspect, its effect, how certain that is, and what to measure next, in the words of a change."""
+    """Return the recommended action, worded for a change between two states.
+
+    What to inspect, its effect, how certain that is, and what to measure next.
+    """
     trusted, later = result.states
 
     def reword_cell(cell: Cell) -> Cell:
@@ -270,7 +275,7 @@ def change_page(result: Change, evidence: PlottedEvidence, context: ReportContex
         glossary_section(is_diagnosis=True),
         context.origin(evidence),
     ]
-    # The section on one thing begins with the errors, too.
+    # The section 'beyond' begins with the same errors, so 'errors' stays folded.
     unfolded_sections = {*UNFOLDED_SECTIONS} - ({"errors"} if term_blocks else set())
     return page(
         change_summary(result, context),

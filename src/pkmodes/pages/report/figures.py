@@ -114,7 +114,7 @@ def shape_figures(evidence: PlottedEvidence) -> list[Block]:
 
 def _band_note(evidence: PlottedEvidence) -> str:
     """Return the explanation of the bands; empty without any."""
-    if evidence.spread is None or not (evidence.spread > 0.0).any():
+    if evidence.frequency_sigma is None or not (evidence.frequency_sigma > 0.0).any():
         return ""
     later_stages_note = (
         " Later stages have none: the measurements determine their values better."

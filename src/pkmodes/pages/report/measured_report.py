@@ -98,8 +98,8 @@ def report(
     if isinstance(result, Change) and result.by_state:
         data = None  # the rows are of several measurements
     context = ReportContext(subject, declared, data, tuple(sources), view)
-    spread = None if declared is None or data is None else declared_spread(declared, data)
-    evidence = PlottedEvidence.of(result, data, "setup" if declared is None else "pose", spread)
+    frequency_sigma = None if declared is None or data is None else declared_spread(declared, data)
+    evidence = PlottedEvidence.of(result, data, "setup" if declared is None else "pose", frequency_sigma)
     if isinstance(result, Change):
         return change_page(result, evidence, context)
     if isinstance(result, Diagnosis):

@@ -66,7 +66,8 @@ def _assess_differences(result: MeasurementsCompared) -> tuple[str, str, Colour]
     if result.changed == "no_pairs":
         return (
             "No mode has a partner",
-            "No mode of one is within 25 % of any of the other, with a MAC of 0.5 where shapes are known.",
+            "No mode of the first measurement has one of the second within 25 % in frequency (and with a MAC of at "
+            "least 0.5, where shapes are known).",
             "bad",
         )
     pair_count = len(result.pairs)
@@ -111,7 +112,7 @@ def _assess_differences(result: MeasurementsCompared) -> tuple[str, str, Colour]
 
 
 def _single_change(result: MeasurementsCompared, pair: ModePair) -> tuple[float, float]:
-    """Return the change of a mode by itself: beyond the common one, where there is one; and in sigmas."""
+    """Return the relative change of one mode, less the common change if both kinds were found, and that in sigmas."""
     if result.changed == "common_and_single":
         return pair.beyond_common or 0.0, pair.beyond_common_sigmas or 0.0
     return pair.relative, pair.sigmas
@@ -138,9 +139,13 @@ def _no_common_change_note(common: CommonChange | None) -> str:
     if common.relative is None:
         p = p_text(common.residual_p_value)
         return f"No change is common to most of them: their factors differ (p-value {p})."
-    modes_text = f"the {common.pairs} that agree" if common.residual_p_value <= SIGNIFICANCE_LEVEL else "all"
+    modes_text = (
+        f"the {common.pairs} modes that agree"
+        if common.residual_p_value <= SIGNIFICANCE_LEVEL
+        else "all modes"
+    )
     return (
-        f"No change is common to all modes: that of {modes_text} is "
+        f"No common change is significant: the mean over {modes_text} is "
         f"{_change_in_words(common.relative, common.sigmas)}."
     )
 
@@ -151,18 +156,19 @@ def _beyond_common_note(common: CommonChange | None) -> str:
         return ""
     p = p_text(common.residual_p_value)
     if common.residual_p_value > SIGNIFICANCE_LEVEL:
-        return f"What single modes did beyond it is within the errors (p-value {p})."
+        return f"The remaining changes of the modes are within the errors (p-value {p})."
     return f"What remains is more than the errors for all modes together (p-value {p}), but not for any single mode."
 
 
 def _noticeable_changes_note(result: MeasurementsCompared) -> str:
     """Return which changes would have been found."""
     smallest, largest = (extreme(result.pairs, key=lambda pair: pair.noticeable) for extreme in (min, max))
-    text = f"Changes that would have counted: of a single mode by {plain(100.0 * smallest.noticeable, 2)} %"
+    text = f"Smallest detectable change: {plain(100.0 * smallest.noticeable, 2)} %"
     if largest is not smallest:
         text += f" ({mode_name(smallest)}) to {plain(100.0 * largest.noticeable, 2)} % ({mode_name(largest)})"
+    text += " for a single mode"
     if result.common is not None and result.common.sigma is not None:
-        text += f", or of all modes by {plain(100.0 * MIN_COMMON_SIGMAS * result.common.sigma, 2)} %"
+        text += f", or {plain(100.0 * MIN_COMMON_SIGMAS * result.common.sigma, 2)} % for a change common to all modes"
     return f"{text}."
 
 
@@ -195,7 +201,7 @@ def mode_pair_tables(result: MeasurementsCompared, max_rows: int | None) -> list
     if not rows:
         return []
     measurement_columns = [Column("line"), Column("f [Hz]"), Column("sigma [Hz]")]
-    change_columns = [Column("[%]"), Column("[\u03c3]"), Column("clear", numeric=False)]
+    change_columns = [Column("[%]"), Column("[\u03c3]"), Column("significant", numeric=False)]
     beyond_columns = change_columns if has_common_change else []
     columns = [
         Column("pose", numeric=False),
@@ -206,7 +212,7 @@ def mode_pair_tables(result: MeasurementsCompared, max_rows: int | None) -> list
         Column("MAC"),
     ]
     groups = [("", 1), ("first", 3), ("second", 3), ("change", 3)]
-    groups += [("beyond the common", 3)] if has_common_change else []
+    groups += [("beyond the common change", 3)] if has_common_change else []
     groups += [("", 1)]
     caption = "Modes of both measurements; changes are second minus first."
     if all(pair.mac is None for pair in result.pairs):

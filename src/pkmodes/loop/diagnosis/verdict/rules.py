@@ -27,7 +27,7 @@ from pkmodes.loop.diagnosis.verdict.shapes import better_by_shape, shapes_disagr
 from pkmodes.loop.diagnosis.verdict.specificity import p_coincidence
 from pkmodes.loop.diagnosis.verdict.too_few import too_few
 from pkmodes.loop.diagnosis.verdict.unexplained import UNEXPLAINED_RULES, reason_of_refusal
-from pkmodes.loop.diagnosis.verdict.values import deciding_row, insignificant_value, single_row_in_words
+from pkmodes.loop.diagnosis.verdict.values import single_row_in_words, single_row_objection, value_objection
 from pkmodes.loop.diagnosis.verdict.verdicts import (
     ADEQUATE,
     AMBIGUOUS,
@@ -230,12 +230,12 @@ def not_specific(e: Evidence) -> str:
 
 def value_without_support(e: Evidence) -> str:
     """A value is within a standard deviation of a bound, or does not differ significantly from the declared one."""
-    return insignificant_value(e.search, e.final)
+    return value_objection(e.search, e.final)
 
 
 def depends_on_one_row(e: Evidence) -> str:
     """A cause is not detected without one row, or its value moves by five standard deviations."""
-    return deciding_row(e.search, e.final)
+    return single_row_objection(e.search, e.final)
 
 
 def not_settled(e: Evidence) -> Answer | str:

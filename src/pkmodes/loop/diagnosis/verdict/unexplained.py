@@ -1,4 +1,4 @@
-"""Rules for a residual that nothing explains: `UNEXPLAINED_RULES`, a table (`rules`)."""
+"""Rules for a residual that nothing explains (the table UNEXPLAINED_RULES; `rules.py` uses it)."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from pkmodes.loop.diagnosis.verdict.verdicts import UNEXPLAINED
 
 
 def added_modes(e: Evidence) -> str:
-    """The best causes leave noise, but add modes between the measured ones that were not measured."""
+    """The best causes reduce the residual to noise, but add unmeasured modes between the measured ones."""
     gate = e.outcome.last_gate
     if not gate.p_unmeasured <= gate.level < min(gate.p_value, gate.p_candidates):
         return ""
@@ -77,8 +77,8 @@ def beyond_prior(e: Evidence) -> Answer | None:
             continue
         index = e.fitter.parameter_indices(fit.causes[0])
         _, sigmas = misfit.farthest_value(store, fit, index)
-        explained = min(part.p_value for part in _misfits(store, fit))
-        if sigmas > c.reasons.far and explained > c.gate.level:
+        p_value = min(part.p_value for part in _misfits(store, fit))
+        if sigmas > c.reasons.far and p_value > c.gate.level:
             explanations.append(
                 (store.criterion(fit), fit.causes[0].name, float(fit.values[index[0]]), sigmas)
             )
@@ -86,8 +86,8 @@ def beyond_prior(e: Evidence) -> Answer | None:
         return None
     _, name, value, sigmas = min(explanations)
     text = (
-        f"{name} = {plain(value, 4)} would explain the data, but this is {sigmas:.1f} sigma outside the range "
-        "declared plausible for it, and nothing else explains them"
+        f"{name} = {plain(value, 4)} would explain the data, but this is {sigmas:.1f} sigma from its "
+        "declared value, and nothing else explains them"
     )
     return Answer(text, frozenset({name}))
 
@@ -108,9 +108,10 @@ def nearly_all(e: Evidence) -> Answer | None:
             explanations.append((fit, ratio_after))
     if not explanations:
         return None
-    order = _priced_criterion(e)
-    best, ratio_after = min(explanations, key=lambda entry: order(entry[0]))
-    # Two causes are found in both orders, which fit alike up to rounding: name them in the order of the candidates.
+    sort_key = _penalised_criterion(e)
+    best, ratio_after = min(explanations, key=lambda entry: sort_key(entry[0]))
+    # A pair of causes is fitted in either order, with the same result up to rounding: name them in the order of the
+    # candidates.
     order_of_candidates = {candidate.name: k for k, candidate in enumerate(e.search.candidates)}
     causes = sorted(
         best.causes, key=lambda cause: order_of_candidates.get(cause.name, len(order_of_candidates))
@@ -120,8 +121,8 @@ def nearly_all(e: Evidence) -> Answer | None:
     objection = f"this explanation is not claimed: {refusal}"
     if gate.p_value <= gate.level:
         objection = (
-            f"the rest exceeds the stated errors ({p_in_words(gate.p_value)}): it is "
-            f"{ratio_in_words(ratio_after**0.5)} these, or something else is missing as well"
+            f"the rest is {ratio_in_words(ratio_after**0.5)} the stated errors ({p_in_words(gate.p_value)}): either "
+            "these are too small, or something else is missing as well"
         )
     text = (
         f"{names(causes)} {verb} nearly all of the residual (chi2 per degree of freedom from "
@@ -130,14 +131,15 @@ def nearly_all(e: Evidence) -> Answer | None:
     return Answer.naming(text, [*causes, *indicated_candidates])
 
 
-def no_direction(e: Evidence) -> Answer | None:
+def points_to_no_candidate(e: Evidence) -> Answer | None:
     """The residual, scaled to the size of noise, points to no candidate: perhaps the stated errors are too small."""
     frequencies, _ = _misfits(e.store, e.outcome.nuisance_fit)
-    scale, (min_scale, max_scale), c = frequencies.ratio, e.criteria.reasons.dispersed, e.criteria
+    chi2_per_dof, (min_ratio, max_ratio), c = frequencies.ratio, e.criteria.reasons.dispersed, e.criteria
     gains = (
-        s.gain / scale / max(len(s.candidate.parameters), 1) for s in e.outcome.first_gate.scores.by_candidate
+        s.gain / chi2_per_dof / max(len(s.candidate.parameters), 1)
+        for s in e.outcome.first_gate.scores.by_candidate
     )
-    if not (min_scale < scale < max_scale and max(gains, default=0.0) < c.reasons.no_direction):
+    if not (min_ratio < chi2_per_dof < max_ratio and max(gains, default=0.0) < c.reasons.no_direction):
         return None
     best = _best_explanation(e)
     alternative = "perhaps the stated sigma is too small"
@@ -146,7 +148,8 @@ def no_direction(e: Evidence) -> Answer | None:
     no_candidate_clause = "" if best is not None else " and points to no candidate"
     detail = variation_with_pose(e.fitter, e.outcome.nuisance_fit) or alternative
     return _with_best_explanation(
-        e, f"the residual is {ratio_in_words(scale**0.5)} the stated errors{no_candidate_clause}: {detail}"
+        e,
+        f"the residual is {ratio_in_words(chi2_per_dof**0.5)} the stated errors{no_candidate_clause}: {detail}",
     )
 
 
@@ -169,13 +172,13 @@ def real_residual(e: Evidence) -> Answer:
     pattern = variation_with_pose(e.fitter, e.outcome.nuisance_fit)
     suffix = f"; {pattern}" if pattern else ""
     text = (
-        f"the residual is real, {ratio_in_words(size**0.5)} the stated errors, and no candidate or pair of "
+        f"the residual is significant: {ratio_in_words(size**0.5)} the stated errors, and no candidate or pair of "
         f"candidates reduces it to noise{suffix}"
     )
     return _with_best_explanation(e, text)
 
 
-#: Tried if nothing leaves noise.
+#: Tried in this order if no explanation reduces the residual to noise.
 UNEXPLAINED_RULES: tuple[Rule[Evidence, Answer], ...] = (
     Rule("open.added_modes", UNEXPLAINED, added_modes),
     Rule("open.unmatched", UNEXPLAINED, unmatched_modes),
@@ -183,7 +186,7 @@ UNEXPLAINED_RULES: tuple[Rule[Evidence, Answer], ...] = (
     Rule("open.shapes_differ", UNEXPLAINED, shapes_differ),
     Rule("open.beyond_prior", UNEXPLAINED, beyond_prior),
     Rule("open.nearly_all", UNEXPLAINED, nearly_all),
-    Rule("open.no_direction", UNEXPLAINED, no_direction),
+    Rule("open.no_direction", UNEXPLAINED, points_to_no_candidate),
     Rule("open.small", UNEXPLAINED, small_residual),
     Rule("open.real", UNEXPLAINED, real_residual),
 )
@@ -199,16 +202,17 @@ def _with_best_explanation(e: Evidence, text: str, *indicated_candidates: Candid
 
 
 def _best_explanation(e: Evidence) -> tuple[str, list[Candidate]] | None:
-    """Return which explanation reduces the residual most, why it is not claimed, and the candidates that this names.
+    """Return which explanation reduces the residual most and why it is not claimed; and the candidates named in it.
 
-    None if none reduces it clearly.  A second cause is named if the data clearly require it.
+    None if none reduces it clearly, or if the gate does not refuse the best one.  A second cause is named if the data
+    clearly require it.
     """
     store = e.store
     limit = store.criterion(e.outcome.nuisance_fit) - e.criteria.search.survives
     improving = [
         fit for fit in _fits_without_errors(store) if not fit.at_bound and store.criterion(fit) < limit
     ]
-    best = min(improving, key=_priced_criterion(e), default=None)
+    best = min(improving, key=_penalised_criterion(e), default=None)
     if best is None:
         return None
     refusal, indicated_candidates = reason_of_refusal(e, best)
@@ -259,10 +263,10 @@ def _fits_without_errors(store: FitStore) -> list[Fit]:
     ]
 
 
-def _priced_criterion(e: Evidence) -> Callable[[Fit], float]:
+def _penalised_criterion(e: Evidence) -> Callable[[Fit], float]:
     """Return the sort key of explanations: their criterion, penalising a second cause unless the data require it."""
-    store, price = e.store, e.criteria.claim.told_apart
-    return lambda fit: store.criterion(fit) + price * len(fit.causes)
+    store, penalty = e.store, e.criteria.claim.told_apart
+    return lambda fit: store.criterion(fit) + penalty * len(fit.causes)
 
 
 def _larger_ratio(store: FitStore, fit: Fit) -> float:

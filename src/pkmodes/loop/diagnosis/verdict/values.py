@@ -12,11 +12,12 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.problem import Candidate
 from pkmodes.loop.diagnosis.search.search import Search
 
-#: A cause shows only in one row if that has more than this part of the sum of squares of its changes.
-MIN_PART_OF_SQUARES = 0.5
+#: A cause shows in one row only if this row contributes more than this fraction of the squared changes that the cause
+#: produces.
+MIN_FRACTION_IN_ONE_ROW = 0.5
 
 
-def insignificant_value(search: Search, final: Fit) -> str:
+def value_objection(search: Search, final: Fit) -> str:
     """Return which cause has a value at a bound, or one not distinct from the declared one; empty if none has."""
     fitter, c = search.store.fitter, search.criteria
     for cause in final.causes:
@@ -29,7 +30,7 @@ def insignificant_value(search: Search, final: Fit) -> str:
                         f"{round_to_sigma(value, sigma)}, is at its bound {plain(bound, 4)}: "
                         "something else may be the cause"
                     )
-        if p_absent(search, final, cause) > c.claim.absent:
+        if wald_p_value(search, final, cause) > c.claim.absent:
             return (
                 f"{cause.name} would explain the residual, but its value is not significantly different from the "
                 "declared one: something else must be the cause"
@@ -37,10 +38,10 @@ def insignificant_value(search: Search, final: Fit) -> str:
     return ""
 
 
-def p_absent(search: Search, final: Fit, cause: Candidate) -> float:
+def wald_p_value(search: Search, final: Fit, cause: Candidate) -> float:
     """Return the p-value of a Wald test that the values of a cause are the declared ones.
 
-    If the sum of squares has no smooth minimum, it may fall by far more than such a change of values can explain.
+    The likelihood ratio is not used: without a smooth minimum, chi2 can fall by more than the values explain.
     """
     fitter = search.store.fitter
     index = list(fitter.parameter_indices(cause))
@@ -52,7 +53,7 @@ def p_absent(search: Search, final: Fit, cause: Candidate) -> float:
     return float(stats.chi2.sf(float(deviations @ information @ deviations), len(deviations)))
 
 
-def deciding_row(search: Search, final: Fit) -> str:
+def single_row_objection(search: Search, final: Fit) -> str:
     """Return which single row determines a cause or its value; empty if none does."""
     store, c = search.store, search.criteria
     fitter, h = store.fitter, final.hypothesis
@@ -97,8 +98,8 @@ def deciding_row(search: Search, final: Fit) -> str:
 def shows_in_one_row_only(search: Search, final: Fit, cause: Candidate, row: int) -> bool:
     """Return whether a cause can show only in one row: it hardly changes other modes, all measured at one setup.
 
-    No other row could then tell a mistaken row from the cause.  Where the mode was measured at several setups, or
-    the cause changes other modes as much, they could.
+    Only then can no other row tell an erroneous row from the cause: there is a single setup, and the cause hardly
+    changes its other modes.
     """
     store, fitter = search.store, search.store.fitter
     if not search.criteria.claim.one_row_suffices or len(fitter.data.labels) > 1:
@@ -112,7 +113,7 @@ def shows_in_one_row_only(search: Search, final: Fit, cause: Candidate, row: int
     rows, used_row_mask = fitter.observations.frequency_slice, fitter.used_row_mask(final.hypothesis)
     change = (fit_without_cause.residual - final.residual)[rows] / fitter.observations.sigma
     squares = np.where(used_row_mask, change**2, 0.0)
-    return bool(squares[row] > MIN_PART_OF_SQUARES * squares.sum())
+    return bool(squares[row] > MIN_FRACTION_IN_ONE_ROW * squares.sum())
 
 
 def single_row_in_words(search: Search, final: Fit) -> str:
