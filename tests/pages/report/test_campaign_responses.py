@@ -131,7 +131,10 @@ def test_the_page_draws_the_poses_at_which_the_robot_is_worst(diagnosed: Diagnos
     }
     assert f"at {errors['before']}" in text
     assert f"at {errors['after']}" in text
-    assert "broad lines are measured, dashed ones the robot as declared, thin ones as corrected" in text
+    assert (
+        "broad lines are measured, dashed ones the robot as declared (before), thin ones as corrected" in text
+    )
+    assert "the largest of 6: broad lines" in text
     assert len(pictures) == len(set(errors.values()))
 
 

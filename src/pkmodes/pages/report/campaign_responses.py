@@ -125,18 +125,24 @@ def _picture(
         before=None if corrected is None else before.values,
     )
     shown = ", ".join(map(clean, chosen))
-    caption = f"Acceleration per force of {shown} at {clean(record.pose)}: broad lines are measured, "
+    caption = f"Acceleration per force of {shown} at {clean(record.pose)}"
+    if len(chosen) < len(model.values):
+        caption += f", the largest of {len(model.values)}"
+    caption += ": broad lines are measured, "
     caption += (
         "thin ones the robot as declared."
         if corrected is None
-        else "dashed ones the robot as declared, thin ones as corrected."
+        else "dashed ones the robot as declared (before), thin ones as corrected (after)."
     )
     caption += f" The largest error of a frequency of the robot {' and '.join(states)} is at this pose."
     lossless = [name for name, robot in robots.items() if not robot.dissipates]
     if lossless:
+        subject = f"The robot {lossless[0]} has" if len(lossless) == 1 else "Both have"
         source = "the median of the measured ones" if is_measured else "which is assumed"
-        caption += f" The robot {' and '.join(lossless)} has no losses: it is drawn with a damping ratio of "
-        caption += f"{plain(100.0 * ratio, 2)} %, {source}."
+        caption += (
+            f" {subject} no losses in the file, and here a damping ratio of {plain(100.0 * ratio, 2)} %, "
+        )
+        caption += f"{source}."
     text = f"Measured acceleration per force at {clean(record.pose)}, and that of the model."
     return Picture.from_drawing(drawing, f"Responses at {clean(record.pose)}", text, caption)
 

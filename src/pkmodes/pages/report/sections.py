@@ -19,7 +19,7 @@ COMPARISON_TERMS = {
     "chi\u00b2 per dof": "Mean square of the differences in \u03c3, per degree of freedom: near 1 for noise of the "
     "stated size.",
     "MAC": "Modal assurance criterion of a measured shape and a shape of the model: 1 if they are the same.",
-    "unmatched": "A measured mode for which the model has no mode within a factor of 1.8 in frequency.",
+    "unmatched": "A measured mode for which the model has no mode left within a factor of 1.8 in frequency.",
 }
 DIAGNOSIS_TERMS = {
     "uncertain value": "Declared with a standard deviation, its prior, and refitted within it in every fit.",
