@@ -79,3 +79,11 @@ def test_the_page_draws_them_over_the_model(folder: Path) -> None:
     command += ["--outputs", "p_x,p_y", "--quantity", "acceleration", "--frequencies", "10:60:20"]
     assert run([*command, "--measured", str(path), "--report", str(page)]) == 0
     assert "Broad lines are measured" in read(page.read_text(encoding="utf-8")).by_id("responses").text
+
+
+def test_an_oblique_force_is_no_input_of_the_command_and_the_error_names_the_page_that_draws_it(
+    folder: Path,
+) -> None:
+    path = campaign(folder, '[[force]]\nname = "hammer"\ndirection = [0.6, 0.8, 0]\nfixed = true\n')
+    with pytest.raises(PkmodesError, match=r'found "hammer" along several.*pkmodes diagnose with --campaign'):
+        campaign_response(path, POSE, "acceleration", ["force_x"])

@@ -86,20 +86,25 @@ def campaign_response(
     """
     source, campaign = fspath(path), read_campaign(path)
     records = _records_at(campaign, point, source)
-    unplaced, assumed = set[str](), dict[str, str]()
+    unplaced, oblique, assumed = set[str](), set[str](), dict[str, str]()
 
     def functions() -> Iterator[tuple[str, Array, Complex]]:
         for record in records:
             for output, excitation, f, values in _functions(campaign, record, inputs, unplaced):
                 port = _single(excitation.weights)
                 if port is None:
-                    unplaced.add(excitation.name)
+                    oblique.add(excitation.name)
                     continue
                 if excitation.is_assumed:
                     assumed[excitation.name] = port[0]
                 yield f"{output}/{port[0]}", f, port[1] * values
 
     averages = _averaged(functions())
+    if averages is None and oblique:
+        names = listed(sorted(map(shown, oblique)), MOST)
+        problem = f"expected a force along one input of the model, found {names} along several"
+        remedy = "draw it on the page of a diagnosis: pkmodes diagnose with --campaign and --report"
+        raise PkmodesError(problem, source, remedy)
     if averages is None:
         remedy = "ask for the input in which it acts alone, such as --inputs force_x"
         raise _nothing_to_draw(unplaced, source, remedy)

@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from pkmodes.machine.shaping.results import Candidate, Choice
 
 #: Title of the largest acceleration that Klipper suggests.
-MAX_ACCELERATION_TITLE = "Klipper's max_accel, for corners smoothed by 0.12 mm"
+MAX_ACCELERATION_TITLE = "largest acceleration by Klipper's rule, for corners smoothed by 0.12 mm"
 
 
 def shaper_report(
@@ -308,8 +308,8 @@ def shapers_table(
             "; the root mean square with frequencies spread by the standard deviations of the robot file"
         )
     caption += (
-        ". The last share is of the largest vibration anywhere, and decides. max_accel [mm/s\u00b2] is what "
-        "Klipper suggests."
+        ". The last share is of the largest vibration anywhere, and decides. max_accel [mm/s\u00b2] is by "
+        "Klipper's rule."
     )
     note = "* The recommended one." if has_recommendation else ""
     if any(candidate.follows_pose for candidate in choice.candidates):

@@ -134,7 +134,7 @@ def shapers_table(choice: Choice) -> Table:
     caption = (
         "What shapers leave of the measured modes: the root mean square and the largest of all as measured, and "
         f"the largest with each mode {ERROR_RANGE}. Where a shaped path turns back, it is rounded by this much "
-        "for each m/s\u00b2 of acceleration; max_accel [mm/s\u00b2] is what Klipper suggests."
+        "for each m/s\u00b2 of acceleration; max_accel [mm/s\u00b2] is by Klipper's rule."
     )
     return Table(caption, columns, rows, note="* The recommended one.", key_columns=2)
 
