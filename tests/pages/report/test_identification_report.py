@@ -286,3 +286,12 @@ def cells(row: Element) -> list[str]:
 def test_the_added_mode_is_marked_in_the_table(page: Path) -> None:
     rows = read(page.read_text(encoding="utf-8")).by_id("record-1").all("tbody")[0].all("tr")
     assert [cells(row)[-1] for row in rows] == ["", "added"]
+
+
+def test_the_files_of_a_roving_hammer_are_counted_one_by_one(tmp_path: Path) -> None:
+    campaign = Path(__file__).parents[3] / "examples/roving_hammer/campaign.toml"
+    command = ["identify", str(campaign), "--out", str(tmp_path / "modes.csv")]
+    assert run([*command, "--report", str(tmp_path / "page.html")]) == 0
+    files = len(list(campaign.parent.glob("*.uff")))
+    assert files > 20
+    assert f"From {files} files." in read((tmp_path / "page.html").read_text(encoding="utf-8")).text

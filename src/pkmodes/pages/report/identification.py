@@ -81,7 +81,9 @@ def _summary(identified: Identification, campaign: Campaign) -> Summary:
         identified.messages
     )
     # Where the modes come from, and what limits their accuracy.
-    files = sum(_file_count(result) for result in identified.records)
+    files = sum(
+        sum(map(len, result.record.setups.values())) - len(result.left_out) for result in identified.records
+    )
     part_names = {
         "repeatability": "the repeatability of the pose",
         "scatter": "the scatter of the repeats",
