@@ -26,7 +26,8 @@ def refitted(
 
 
 def test_what_was_refitted_is_said_with_its_size_in_standard_deviations_of_the_prior() -> None:
-    assert caveats.refitted_in_words([refitted(12.0)]) == "servo.stiffness from 10 to 12 N*m/rad (+2.0 sigma)"
+    said = "servo.stiffness from 10 to 12.00 +- 0.10 N*m/rad (+2.0 sigma)"
+    assert caveats.refitted_in_words([refitted(12.0)]) == said
     small = replace(refitted(9.8), name="mass", unit="1")
     assert caveats.refitted_in_words([small]) == "mass from 10 to 9.8 (-0.2 sigma)"
     assert caveats.refitted_in_words([small, refitted(12.0)]) == caveats.refitted_in_words([refitted(12.0)])
@@ -41,7 +42,7 @@ def test_what_was_refitted_is_said_with_its_size_in_standard_deviations_of_the_p
         # An unseen candidate moves it by 1.645 of its standard deviations at its limit.
         (
             refitted(11.6, unseen=1.0),
-            "servo.stiffness was refitted from 10 to 11.6 N*m/rad, which an unseen clamps could have done",
+            "servo.stiffness was refitted from 10 to 11.6 +- 1.0 N*m/rad, which an unseen clamps could have done",
         ),
         (refitted(11.7, unseen=1.0), ""),
         (refitted(10.2, unseen=1.0), ""),  # within what the fit leaves open

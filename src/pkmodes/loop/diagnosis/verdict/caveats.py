@@ -103,7 +103,4 @@ def _name(value: Corrected) -> str:
 
 def _change_in_words(value: Corrected) -> str:
     unit = "" if value.unit == "1" else f" {value.unit}"
-    rounded = round_to_sigma(value.value, value.sigma)
-    return (
-        f"from {plain(value.declared, 4)} to {plain(float(f'{rounded.value}e{rounded.exponent}'), 4)}{unit}"
-    )
+    return f"from {plain(value.declared, 4)} to {round_to_sigma(value.value, value.saved_sigma)}{unit}"
