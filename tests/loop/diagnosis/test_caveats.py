@@ -29,7 +29,7 @@ def test_what_was_refitted_is_said_with_its_size_in_standard_deviations_of_the_p
     said = "servo.stiffness from 10 to 12.00 +- 0.10 N*m/rad (+2.0 sigma)"
     assert caveats.refitted_in_words([refitted(12.0)]) == said
     small = replace(refitted(9.8), name="mass", unit="1")
-    assert caveats.refitted_in_words([small]) == "mass from 10 to 9.8 (-0.2 sigma)"
+    assert caveats.refitted_in_words([small]) == "mass from 10 to 9.80 +- 0.10 (-0.2 sigma)"
     assert caveats.refitted_in_words([small, refitted(12.0)]) == caveats.refitted_in_words([refitted(12.0)])
     assert caveats.refitted_in_words([refitted(12.0, prior=None)]) == ""
 

@@ -144,7 +144,7 @@ def fits(*values: float) -> tuple[Any, list[Any]]:
     """Fits whose last causes have these values each, and what knows their parameters."""
     parameters = [Parameter(f"p{i}", 0.0, "m") for i in range(len(values))]
     causes = each(p.name for p in parameters)
-    fitter = SimpleNamespace(parameters=parameters, indices=lambda cause: [int(cause.name[1:])])
+    fitter = SimpleNamespace(parameters=parameters, parameter_indices=lambda cause: [int(cause.name[1:])])
     return fitter, [SimpleNamespace(causes=[cause], values=np.array(values)) for cause in causes]
 
 

@@ -57,10 +57,10 @@ def test_the_robot_before_a_correction_is_drawn_between_both(tmp_path: Path) -> 
     picture = response_picture(found, read_response(tmp_path / "m.csv"), before=before)
     above = next(axes for axes in picture.figure.axes if axes.get_title("left") == "p_y/force_x")
     lines = {line.get_label(): np.asarray(line.get_ydata()) for line in above.lines}
-    assert list(lines) == ["model", "before", "measured"]
+    assert list(lines) == ["after", "before", "measured"]
     np.testing.assert_allclose(lines["before"], np.abs(before.values[:, 1, 0]))
-    np.testing.assert_allclose(lines["model"], lines["measured"])
-    assert lines["before"].max() < 0.5 * lines["model"].max()
+    np.testing.assert_allclose(lines["after"], lines["measured"])
+    assert lines["before"].max() < 0.5 * lines["after"].max()
 
 
 def test_the_command_writes_a_picture(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
