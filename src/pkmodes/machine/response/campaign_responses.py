@@ -15,24 +15,24 @@ from pkmodes.core.support.ordering import listed
 from pkmodes.machine.response.measured import MeasuredResponse
 from pkmodes.modaltest.campaign.campaign import FRF_KIND, Campaign, Record, read_campaign
 from pkmodes.modaltest.campaign.frequency_records import read_responses
-from pkmodes.modaltest.campaign.impact_records import impact_modes
+from pkmodes.modaltest.campaign.impact_records import read_impact_responses
 from pkmodes.modaltest.campaign.mode_estimates import NAMELESS
 from pkmodes.modaltest.campaign.sensors import NEGATIVE, Transducer, without_sign
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Kind of record with blows in time.
-BLOWS = "impact"
+#: Kinds of records with frequency response functions, measured or to be estimated.
+RESPONSE_KINDS = (FRF_KIND, "impact")
 #: Times that an acceleration is integrated for each quantity of a response.
 INTEGRALS = {"acceleration": 0, "velocity": 1, "displacement": 2}
-#: A pose is that of a record within this distance [m, rad], and this many standard deviations of the record's.
-NEAR, SIGMAS = 1e-6, 3.0
-#: Largest part of another channel in a sensor that still counts as one channel.
-ASIDE = 1e-3
-#: Most poses named in an error.
-MOST = 8
-#: Inputs of the model by the beginnings of the channels along which they act.
-ACTING = {"p_": "force_", "r_": "moment_"}
+#: A pose is that of a record within this distance [m, rad], or this many standard deviations of the record's pose.
+MAX_POSE_DISTANCE, MAX_POSE_SIGMAS = 1e-6, 3.0
+#: Largest weight of other channels, relative to that of the first, in a transducer along one channel.
+MAX_CROSS_WEIGHT = 1e-3
+#: Maximum number of names in an error.
+MAX_NAMES = 8
+#: Prefixes of the model's inputs by those of the channels along which they act.
+INPUT_PREFIXES = {"p_": "force_", "r_": "moment_"}
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,6 +59,7 @@ def record_response(campaign: Campaign, record: Record) -> RecordResponse:
 
     def functions() -> Iterator[tuple[str, Array, Complex]]:
         for output, excitation, f, values in _functions(campaign, record, (), unplaced):
+            # A force that acts elsewhere in another setup is drawn where it acts in the first.
             if excitations.setdefault(excitation.name, excitation.weights) == excitation.weights:
                 yield f"{output}/{excitation.name}", f, values
 
@@ -91,7 +92,7 @@ def campaign_response(
     def functions() -> Iterator[tuple[str, Array, Complex]]:
         for record in records:
             for output, excitation, f, values in _functions(campaign, record, inputs, unplaced):
-                port = _single(excitation.weights)
+                port = _single_channel(excitation.weights)
                 if port is None:
                     oblique.add(excitation.name)
                     continue
@@ -101,7 +102,7 @@ def campaign_response(
 
     averages = _averaged(functions())
     if averages is None and oblique:
-        names = listed(sorted(map(shown, oblique)), MOST)
+        names = listed(sorted(map(shown, oblique)), MAX_NAMES)
         problem = f"expected a force along one input of the model, found {names} along several"
         remedy = "draw it on the page of a diagnosis: pkmodes diagnose with --campaign and --report"
         raise PkmodesError(problem, source, remedy)
@@ -124,9 +125,8 @@ def _averaged(functions: Iterable[tuple[str, Array, Complex]]) -> tuple[Array, d
     values_by_name = dict[str, list[Complex]]()
     for name, frequencies, values in functions:
         f = frequencies if f is None else f
-        if len(frequencies) == len(f) and np.allclose(
-            frequencies, f, rtol=1e-9
-        ):  # else of another resolution
+        # Functions of another resolution are left out.
+        if len(frequencies) == len(f) and np.allclose(frequencies, f, rtol=1e-9):
             values_by_name.setdefault(name, []).append(values)
     if f is None:
         return None
@@ -138,7 +138,7 @@ def _nothing_to_draw(unplaced: Collection[str], where: str, remedy: str) -> Pkmo
     if not unplaced:
         remedy = "give a sensor along a channel of the robot, or enough of them to solve for its motion"
         return PkmodesError("expected a sensor along a channel of the robot, found none", where, remedy)
-    names = listed(sorted(map(shown, unplaced)), MOST)
+    names = listed(sorted(map(shown, unplaced)), MAX_NAMES)
     return PkmodesError(f"the campaign does not say where the force {names} acts", where, remedy)
 
 
@@ -147,25 +147,28 @@ def _records_at(campaign: Campaign, point: Sequence[float], source: str) -> list
     if campaign.model is None:
         raise PkmodesError("expected the campaign of a robot", source, 'name its file, robot = "robot.toml"')
     names = [component.name for component in campaign.model.mechanism.pose]
-    records = [record for record in campaign.records if record.kind in (FRF_KIND, BLOWS)]
-    found = [
+    records = [record for record in campaign.records if record.kind in RESPONSE_KINDS]
+    at_pose = [
         record
         for record in records
         if all(
-            abs(record.point.get(name, 0.0) - value) <= max(NEAR, SIGMAS * record.point_sigma.get(name, 0.0))
+            abs(record.point.get(name, 0.0) - value)
+            <= max(MAX_POSE_DISTANCE, MAX_POSE_SIGMAS * record.point_sigma.get(name, 0.0))
             for name, value in zip(names, point, strict=True)
         )
     ]
-    if not found:
+    if not at_pose:
         poses = [
             f"{record.pose} ({','.join(f'{record.point.get(name, 0.0):g}' for name in names)})"
             for record in records
         ]
-        problem = f"expected frequency response functions at the pose, found those at {listed(poses, MOST)}"
+        problem = (
+            f"expected frequency response functions at the pose, found those at {listed(poses, MAX_NAMES)}"
+        )
         if not poses:
             problem = "expected records of frequency response functions, found none"
         raise PkmodesError(problem, source, "give --pose of one of them")
-    return found
+    return at_pose
 
 
 class _Excitation(NamedTuple):
@@ -192,29 +195,24 @@ def _functions(
         sensors, forces = campaign.sensors_in(setup), campaign.all_forces_in(setup)
         for path in paths:
             if record.kind == FRF_KIND:
-                read = read_responses(path, record, setup, campaign).responses
-                f, values, rows, columns = read.frequencies, read.values, read.names, read.references
-                roves = read.is_roving
+                responses = read_responses(path, record, setup, campaign).responses
             else:
-                modes = impact_modes(path, record, setup, campaign)
-                assert modes.fit is not None
-                f, values = modes.fit.estimate.frequencies, modes.fit.estimate.measured
-                rows, columns, roves = modes.fit.responses, modes.fit.references, bool(modes.forces)
-            if roves:  # the places of the functions are those of the forces
-                values, rows, columns = values.transpose(0, 2, 1), columns, rows
-            places = [sensors.get(name) for name in rows]
-            for r, column in enumerate(columns or ("",)):
-                excitation = _excitation(column, sensors, forces, inputs, rotation)
+                responses = read_impact_responses(path, record, setup, campaign)
+            values, sensor_names, force_names = responses.values, responses.names, responses.references
+            if responses.is_roving:  # the places of the functions are those of the forces
+                values, sensor_names, force_names = values.transpose(0, 2, 1), force_names, sensor_names
+            for r, force_name in enumerate(force_names or ("",)):
+                excitation = _excitation(force_name, sensors, forces, inputs, rotation)
                 if excitation is None:
-                    unplaced.add(column)
+                    unplaced.add(force_name)
                     continue
                 measured = [
-                    (place, values[:, s, r])
-                    for s, place in enumerate(places)
-                    if place is not None and np.isfinite(values[:, s, r]).all()
+                    (sensors[name], values[:, s, r])
+                    for s, name in enumerate(sensor_names)
+                    if name in sensors and np.isfinite(values[:, s, r]).all()
                 ]
                 for output, motion in _channels(measured, rotation):
-                    yield output, excitation, f, motion
+                    yield output, excitation, responses.frequencies, motion
 
 
 def _channels(
@@ -224,17 +222,16 @@ def _channels(
 
     Sensors beside the platform's centre measure several components of its motion.
     """
-    weights = [place.rotated(rotation).weights for place, _ in measured]
-    channels = list(dict.fromkeys(name for one in weights for name, weight in one.items() if weight))
-    W = np.array([[one.get(name, 0.0) for name in channels] for one in weights])
+    weights = [sensor.rotated(rotation).weights for sensor, _ in measured]
+    channels = list(dict.fromkeys(name for row in weights for name, weight in row.items() if weight))
+    W = np.array([[row.get(name, 0.0) for name in channels] for row in weights])
     if channels and np.linalg.matrix_rank(W / np.abs(W).max(axis=0)) == len(channels):
         motions = np.linalg.pinv(W) @ np.array([values for _, values in measured])
         yield from zip(channels, motions, strict=True)
         return
-    for place, values in measured:
-        port = _single(place.rotated(rotation).weights)
-        if port is not None:
-            yield port[0], values * port[1]
+    for sensor, values in measured:
+        if (channel := _single_channel(sensor.rotated(rotation).weights)) is not None:
+            yield channel[0], values * channel[1]
 
 
 def _excitation(
@@ -251,17 +248,14 @@ def _excitation(
     """
     places = _places(name, sensors, forces)
     if not places:
-        pushing = [into for into in inputs if into.startswith(tuple(ACTING.values()))]
-        against = bool(NEGATIVE.fullmatch(name))  # a hammer blow along a negative direction
-        return _Excitation(name, {pushing[0]: -1.0 if against else 1.0}, True) if len(pushing) == 1 else None
-    weights = {
-        next(
-            (into + channel[len(start) :] for start, into in ACTING.items() if channel.startswith(start)),
-            channel,
-        ): weight
-        for channel, weight in places[0].rotated(rotation).weights.items()
-        if weight
-    }
+        candidates = [port for port in inputs if port.startswith(tuple(INPUT_PREFIXES.values()))]
+        sign = -1.0 if NEGATIVE.fullmatch(name) else 1.0  # an impact along a negative direction
+        return _Excitation(name, {candidates[0]: sign}, True) if len(candidates) == 1 else None
+    weights = {}
+    for channel, weight in places[0].rotated(rotation).weights.items():
+        prefix = INPUT_PREFIXES.get(channel[:2])
+        if weight:
+            weights[channel if prefix is None else prefix + channel[2:]] = weight
     return _Excitation(name, weights, False) if weights else None
 
 
@@ -278,10 +272,11 @@ def _places(
     return [*forces.values()] if not places and name in NAMELESS and len(forces) == 1 else places
 
 
-def _single(weights: Mapping[str, float]) -> tuple[str, float] | None:
+def _single_channel(weights: Mapping[str, float]) -> tuple[str, float] | None:
     """Return the channel or input along which a transducer stands, and its sign; None where it is along several."""
     if not any(weights.values()):
         return None
     name = max(weights, key=lambda name: abs(weights[name]))
-    aside = max((abs(weight) for other, weight in weights.items() if other != name), default=0.0)
-    return (name, float(np.sign(weights[name]))) if aside <= ASIDE * abs(weights[name]) else None
+    cross_weight = max((abs(weight) for other, weight in weights.items() if other != name), default=0.0)
+    is_single = cross_weight <= MAX_CROSS_WEIGHT * abs(weights[name])
+    return (name, float(np.sign(weights[name]))) if is_single else None

@@ -77,6 +77,17 @@ def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> 
     return replace(file_modes, names_in_file=names_in_file, unnamed=undeclared_forces, forces=force_names)
 
 
+def read_impact_responses(path: Path, record: Record, setup: str, campaign: Campaign) -> Responses:
+    """Return the frequency responses of the impacts in a file, without fitting modes to them.
+
+    Raises MeasurementError as `impact_modes` does for a faulty file.
+    """
+    impacts = _read_impact_signals(path, record, setup, campaign)
+    estimates, _ = _estimate_responses([impacts.signals], record)
+    force_keys = () if impacts.force is None else (impacts.force.name,)
+    return _join_responses(estimates, [impacts.signals], force_keys)
+
+
 def roving_modes(points: Mapping[str, RovingPoint], record: Record, campaign: Campaign) -> FileModes:
     """Return the modes of the points hit with a roving hammer, their shapes by the keys of the forces.
 
@@ -181,16 +192,10 @@ def _fit(
     """Return the fit of files of impacts, and messages about it."""
     estimates, messages = _estimate_responses(recordings, record)
     last_estimate = estimates[-1]  # all have the same lines and averages
-    f, record_length = last_estimate.frequencies, float(1.0 / last_estimate.frequencies[1])
-    known_coherences = [estimate.coherence for estimate in estimates if estimate.coherence is not None]
-    coherence = np.concatenate(known_coherences, axis=2) if len(known_coherences) == len(recordings) else None
-    sensors = recordings[0].names
-    reference = recordings[0].force if len(recordings) == 1 else ""
-    H = np.concatenate([estimate.H for estimate in estimates], axis=2)
-    responses = Responses(f, H, coherence, sensors, (), (reference,))
-    if force_keys:
-        responses = responses.as_roving(range(len(force_keys)), force_keys)
+    record_length = float(1.0 / last_estimate.frequencies[1])
+    responses = _join_responses(estimates, recordings, force_keys)
     if points:
+        f, sensors = responses.frequencies, recordings[0].names
         corrections = [
             point.correction(f, [force_key], sensors, record.exponential, record_length)
             for point, force_key in zip(points, force_keys, strict=True)
@@ -236,6 +241,18 @@ def _estimate_responses(
         factors = recording.as_accelerations(2j * np.pi * estimate.frequencies)
         estimates.append(replace(estimate, H=estimate.H * factors[:, :, None]))
     return estimates, messages
+
+
+def _join_responses(
+    estimates: Sequence[ImpactEstimate], recordings: Sequence[TimeSignals], force_keys: Sequence[str]
+) -> Responses:
+    """Return the responses of recordings with the same lines, as those of a roving hammer if it has forces."""
+    known_coherences = [estimate.coherence for estimate in estimates if estimate.coherence is not None]
+    coherence = np.concatenate(known_coherences, axis=2) if len(known_coherences) == len(recordings) else None
+    reference = recordings[0].force if len(recordings) == 1 else ""
+    H = np.concatenate([estimate.H for estimate in estimates], axis=2)
+    responses = Responses(estimates[-1].frequencies, H, coherence, recordings[0].names, (), (reference,))
+    return responses.as_roving(range(len(force_keys)), force_keys) if force_keys else responses
 
 
 def _to_full_decay(mode: Mode, window_time_constant: float | None, record_length: float) -> Mode:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -13,16 +12,14 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.mechanism.described import DAMPING_RATIO
 from pkmodes.core.model import Model
-from pkmodes.core.robot.reading import robot_from_document
 from pkmodes.core.support.ordering import listed
-from pkmodes.loop.updating.corrected_robot import corrected_robot
-from pkmodes.machine.response.campaign_responses import BLOWS, RecordResponse, record_response
+from pkmodes.machine.response.campaign_responses import RESPONSE_KINDS, RecordResponse, record_response
 from pkmodes.machine.response.frequency_response import frequency_response
 from pkmodes.machine.response.ports import FORCE, MOMENT
-from pkmodes.modaltest.campaign.campaign import FRF_KIND
 from pkmodes.pages.plots.responses import responses
 from pkmodes.pages.report.blocks import Block, Picture
 from pkmodes.pages.report.formatting import clean
+from pkmodes.pages.report.measured_view import shown_robot
 
 if TYPE_CHECKING:
     from pkmodes.core.robot.robot import Robot
@@ -31,11 +28,11 @@ if TYPE_CHECKING:
     from pkmodes.modaltest.campaign.campaign import Campaign, Record
 
 Complex = NDArray[np.complex128]
-#: Frequencies at which the models are evaluated, and most channels drawn at a pose.
+#: Number of frequencies at which the models are evaluated, and maximum number of channels drawn at a pose.
 FREQUENCY_COUNT, MAX_CHANNELS = 600, 4
 #: Damping ratio with which a robot without losses is drawn where none was measured.
 USUAL_RATIO = 0.01
-#: Most names in an error.
+#: Maximum number of names in an error.
 MAX_NAMES = 8
 
 
@@ -58,7 +55,7 @@ def measured_responses(result: Diagnosis, robot: Robot, campaign: Campaign) -> l
     forces have no place.
     Raises MeasurementError if one of its files is faulty.
     """
-    records = {record.pose: record for record in campaign.records if record.kind in (FRF_KIND, BLOWS)}
+    records = {record.pose: record for record in campaign.records if record.kind in RESPONSE_KINDS}
     rows = [row for row in result.rows if row.pose in records and row.before is not None and not row.outlier]
     if not rows:
         expected = f"expected frequency response functions at {listed(_poses(result.rows), MAX_NAMES)}"
@@ -67,9 +64,8 @@ def measured_responses(result: Diagnosis, robot: Robot, campaign: Campaign) -> l
             problem = "expected records of frequency response functions, found none"
         remedy = "give the campaign that pkmodes identify made the measurement file from"
         raise PkmodesError(problem, campaign.source, remedy)
-    corrected = None
-    if result.settled:
-        corrected = robot_from_document(tomllib.loads(corrected_robot(robot, result)), robot.source)
+    final = shown_robot(result, robot).robot
+    corrected = None if final is robot else final
     reasons: dict[str, list[str]] = {_worst(rows, lambda row: row.before): ["as declared"]}
     if corrected is not None:
         remaining = _worst(rows, lambda row: row.after if row.after is not None else row.refit)
