@@ -8,6 +8,7 @@ from pkmodes.core.support.ordering import listed, sorted_labels
 from pkmodes.loop.diagnosis.compare import ComparedRow
 from pkmodes.loop.diagnosis.verdict.rows import Row
 from pkmodes.pages.report.report_context import ReportContext
+from pkmodes.pages.report.unmatched import nearest_in_words
 
 #: Maximum number of rows, poses or settings named in a line; the JSON has all of them.
 MAX_NAMED = 8
@@ -15,8 +16,12 @@ Rows = Sequence[Row | ComparedRow]
 
 
 def rows_in_words(rows: Rows) -> str:
-    """Return rows by their lines in the file, poses and frequencies."""
-    descriptions = [f"line {row.line}, pose {row.pose}, {row.measured:g} Hz" for row in rows]
+    """Return rows by their lines in the file, poses and frequencies, and why the nearest mode is no partner."""
+    descriptions = [
+        f"line {row.line}, pose {row.pose}, {row.measured:g} Hz"
+        + (f" ({nearest})" if (nearest := nearest_in_words(row)) else "")
+        for row in rows
+    ]
     return listed(descriptions, MAX_NAMED, "; ", "; and ")
 
 

@@ -122,6 +122,8 @@ def made_up(
             partner_mac=np.where(lost, np.nan, macs[np.arange(count), mode]),
             mac_by_mode=macs,
             elastic_frequencies=spectrum,
+            nearest_frequency=np.full(count, np.nan),
+            nearest_mac=np.full(count, np.nan),
         )
 
     before, refit, after = stage(0.04), stage(0.02), stage(0.0)

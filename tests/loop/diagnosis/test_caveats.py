@@ -110,7 +110,9 @@ def test_stated_errors_two_to_three_times_too_large_are_noted(error: float, fact
     ]
     assert len(notes) == (factor is not None)
     for note in notes:
-        match = re.search(r"are ([\d.]+) times too large: the residual scatters much less$", note)
+        match = re.search(
+            r"are ([\d.]+) times too large: the residual scatters much less \(by the root of chi2 ", note
+        )
         assert match is not None
         assert float(match[1]) == pytest.approx(factor, rel=0.3)
 

@@ -6,6 +6,7 @@ Modes that are alike at the sensors: a subspace of them counts only directions t
 from __future__ import annotations
 
 import itertools
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.support.mac import INDEPENDENCE_TOLERANCE, explained_difference, subspace_basis
 from pkmodes.loop.diagnosis import Measurements, Prediction
 from pkmodes.loop.diagnosis.match.pairing import Pairer, Pairing
+from pkmodes.loop.diagnosis.match.predicted import PartnerPredictions
 
 CHANNELS = ("a", "b", "c", "d", "e")
 
@@ -33,6 +35,12 @@ def measured(frequencies: list[float], shapes: np.ndarray | None = None, channel
 
 def pair(data: Measurements, prediction: Prediction) -> Pairing:
     return Pairer(data, CHANNELS).pair(prediction, np.ones(len(data.frequency), dtype=bool))
+
+
+def told(data: Measurements, prediction: Prediction) -> PartnerPredictions:
+    pairer = Pairer(data, CHANNELS)
+    pairing = pairer.pair(prediction, np.ones(len(data.frequency), dtype=bool))
+    return PartnerPredictions.from_pairing(pairer, data, prediction, pairing, np.full(len(pairing.mac), 1e-3))
 
 
 def random_shapes(seed: int, count: int = 5) -> np.ndarray:
@@ -65,6 +73,37 @@ def test_shapes_decide_where_the_order_of_frequencies_is_exchanged() -> None:
     found = pair(measured([10.0, 10.6, 20.0], shapes[[1, 0, 2]]), model)
     assert found.partner.tolist() == [1, 0, 2]
     assert found.mac == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize(
+    ("mac", "sigma", "is_pair"), [(0.51, 0.001, True), (0.49, 0.001, False), (0.49, 0.3, True)]
+)
+def test_a_partner_of_another_shape_is_told_as_none(mac: float, sigma: float, is_pair: bool) -> None:
+    """A shape with a component sqrt(mac) along its mode has that MAC with it; large errors of the shape explain more.
+
+    The fit keeps the partner, whose frequency and MAC are told as those of the nearest mode.
+    """
+    shapes = np.eye(2, len(CHANNELS))
+    shapes[1, [1, 4]] = np.sqrt([mac, 1.0 - mac])
+    data = replace(measured([10.0, 20.2], shapes), shape_sigma=np.full(2, sigma))
+    prediction = predicted([10.0, 20.0, 60.0, 70.0, 80.0])
+    assert pair(data, prediction).partner.tolist() == [0, 1]
+    answer = told(data, prediction)
+    assert answer.partner_mode.tolist() == [1, 2 if is_pair else 0]
+    assert np.isfinite(answer.frequency).tolist() == [True, is_pair]
+    assert np.isfinite(answer.normalised_differences).tolist() == [True, is_pair]
+    expected, missing = (20.0, mac), (np.nan, np.nan)
+    np.testing.assert_allclose((answer.frequency[1], answer.partner_mac[1]), expected if is_pair else missing)
+    np.testing.assert_allclose(
+        (answer.nearest_frequency[1], answer.nearest_mac[1]), missing if is_pair else expected
+    )
+    assert np.isnan(answer.nearest_frequency[0])
+
+
+def test_without_shapes_every_partner_is_told() -> None:
+    answer = told(measured([10.0, 20.2]), predicted([10.0, 20.0]))
+    assert answer.partner_mode.tolist() == [1, 2]
+    assert np.isnan(answer.nearest_frequency).all()
 
 
 def test_the_same_shape_at_twice_the_frequency_is_another_mode() -> None:

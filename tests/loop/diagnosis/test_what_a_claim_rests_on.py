@@ -218,7 +218,9 @@ def test_what_nothing_explains_is_said_as_what_it_is() -> None:
     beyond[[MODES - 1, 3 * MODES - 1, 5 * MODES - 1]] = 0.9 / SIGMA  # the highest modes of three setups
     unmatched = found(linear({"a": a, "b": b}), beyond)
     assert unmatched.rule == "open.unmatched"
-    assert unmatched.reason.startswith("3 measured modes are unmatched")
+    assert unmatched.reason.startswith(
+        "the model has no mode left for 3 measured modes, and no candidate adds one"
+    )
     small = found(linear({"a": a, "b": b}, a={"upper": 0.5}), 3.6 * a)
     assert small.rule == "open.small"
     assert small.reason.startswith("the residual is small but points to a candidate, a (p = ")

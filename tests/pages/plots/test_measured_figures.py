@@ -33,6 +33,8 @@ BEFORE = PartnerPredictions(
     partner_mac=PAIRS,
     mac_by_mode=MACS,
     elastic_frequencies=np.array([[102.0, 210.0, 400.0], [98.0, 190.0, 206.0]]),
+    nearest_frequency=np.full(5, NAN),
+    nearest_mac=np.full(5, NAN),
 )
 AFTER = replace(
     BEFORE,

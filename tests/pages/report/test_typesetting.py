@@ -6,6 +6,7 @@ import datetime
 from dataclasses import replace
 
 import msgspec
+import numpy as np
 import pytest
 
 from helpers.pages.report_examples import made_up
@@ -144,7 +145,18 @@ def test_fitted_modes_without_a_partner_are_told_beside_the_errors() -> None:
     texts = [getattr(block, "text", "") for block in numbers.error_blocks(replace(whole, rows=rows))]
     assert (
         "2 fitted modes have no partner in the model (as declared): each counts in chi\u00b2 as a difference by a "
-        "factor of 1.8, and not in the rms."
+        "factor of 1.8, and not in the rms. The model has no mode left for them."
+    ) in texts
+    assert result.stages is not None
+    nearest = np.full(len(rows), np.nan)
+    nearest[fitted[2]] = 138.1
+    before = replace(result.stages.before, nearest_frequency=nearest)
+    mixed = replace(whole, rows=rows, stages=replace(result.stages, before=before))
+    texts = [getattr(block, "text", "") for block in numbers.error_blocks(mixed)]
+    assert (
+        "2 fitted modes have no partner in the model (as declared). In chi\u00b2, 1 counts as a difference by a "
+        "factor of 1.8, because no mode is left, and 1 counts as the difference from the nearest mode, which has "
+        "another shape (MAC below 0.5). None counts in the rms."
     ) in texts
 
 

@@ -58,6 +58,11 @@ class Rounded:
         return f"({text}){self.power}" if self.exponent else text
 
 
+def number_or_none(number: float) -> float | None:
+    """Return a number as JSON has it: None for NaN."""
+    return float(number) if math.isfinite(number) else None
+
+
 def format_frequency(value: float) -> str:
     """Return a frequency [Hz] as text, the same in headlines and tables.
 
@@ -108,6 +113,11 @@ def plain(value: float, digits: int = 6) -> str:
     text = f"{round(_scaled(value, power), decimals):.{max(decimals, 0)}f}"
     text = text.rstrip("0").rstrip(".") if "." in text else text
     return f"{text}e{power}" if power else text
+
+
+def three_digits(value: float) -> str:
+    """Return a number with three significant digits, zeros among them, or to the nearest unit: 5.30, 23615."""
+    return f"{value:{'#.3g' if 0.0 < abs(value) < 99.95 else '.0f'}}"
 
 
 def format_factor(factor: float) -> str:

@@ -18,6 +18,9 @@ Complex = NDArray[np.complex128]
 
 #: Modes whose measured components differ by less than this fraction are indistinguishable.
 INDEPENDENCE_TOLERANCE = 1e-6
+#: Shapes with a smaller MAC are not of one mode: no pair, in any comparison.  A shape can have a larger one with only
+#: one of several orthogonal modes.
+MIN_MAC_OF_PAIR = 0.5
 
 
 def normalised(shapes: Array) -> Array:

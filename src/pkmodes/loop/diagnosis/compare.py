@@ -11,6 +11,7 @@ from msgspec import Meta
 from scipy import stats
 
 from pkmodes.core.base.attached import Attached
+from pkmodes.core.base.numbers import number_or_none
 from pkmodes.core.support.documents import Count, Document, Number, Probability, Settings, Size
 from pkmodes.loop.diagnosis.arguments import checked_structure
 from pkmodes.loop.diagnosis.criteria import Criteria
@@ -19,7 +20,15 @@ from pkmodes.loop.diagnosis.match.predicted import PartnerPredictions
 from pkmodes.loop.diagnosis.problem import Structure
 from pkmodes.loop.diagnosis.readings.amplitude import notes_on_amplitude
 from pkmodes.loop.diagnosis.readings.table import answer_for_declared_model
-from pkmodes.loop.diagnosis.verdict.rows import Level, ModeName, MotorsDid, Place, drives_of
+from pkmodes.loop.diagnosis.verdict.rows import (
+    Level,
+    ModeName,
+    MotorsDid,
+    Nearest,
+    NearestMac,
+    Place,
+    drives_of,
+)
 from pkmodes.loop.measured.measurements import Measurements
 
 
@@ -49,7 +58,10 @@ class ComparedRow(Place, frozen=True, omit_defaults=True):
         ),
     ]
     mac: Annotated[
-        Size | None, Meta(description="Modal assurance criterion; null where no shape was measured.")
+        Size | None,
+        Meta(
+            description="Modal assurance criterion; null where no shape was measured, or the row is unmatched."
+        ),
     ]
     load: Settings = msgspec.field(name="set", default_factory=dict)
     level: Level = None
@@ -59,6 +71,8 @@ class ComparedRow(Place, frozen=True, omit_defaults=True):
     ] = None
     sigma_damping: Annotated[float | None, Meta(description="Its standard deviation.")] = None
     predicted_damping: Annotated[float | None, Meta(description="Damping ratio of the paired mode.")] = None
+    nearest: Nearest = None
+    nearest_mac: NearestMac = None
 
     @property
     def shape_differs(self) -> bool:
@@ -77,7 +91,8 @@ class CompareDocument(Document, frozen=True):
     chi2_per_dof: Annotated[
         Size | None,
         Meta(
-            description="For the paired rows with their stated errors, nothing fitted; null where none is paired."
+            description="Of the paired rows alone, with their stated errors, nothing fitted; null where none is "
+            "paired."
         ),
     ]
     p_value: Annotated[
@@ -123,7 +138,7 @@ class Comparison:
 
     @property
     def unpaired(self) -> tuple[ComparedRow, ...]:
-        """Unmatched measured modes."""
+        """Unmatched measured modes: the model has no mode left for them, or only one of another shape."""
         return tuple(row for row in self.rows if row.predicted is None)
 
     def as_json(self, robot: str) -> dict[str, object]:
@@ -165,11 +180,12 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
     """
     structure = checked_structure(structure, data)
     fitter = Fitter(structure, data)
-    pairing, *_ = fitter.evaluate(fitter.declared, np.ones(len(data.frequency), dtype=bool))
-    is_paired = pairing.partner >= 0
-    pairing, log_difference, sigma, chi2 = fitter.evaluate(fitter.declared, is_paired)
-    predicted, sigmas = data.frequency * np.exp(-log_difference), -log_difference / sigma
-    residual = predicted / data.frequency - 1.0
+    prediction, pairer = structure.predict(fitter.declared, ()), fitter.observations.pairer
+    pairing, _, sigma, _ = fitter.evaluate(fitter.declared, np.ones(len(data.frequency), dtype=bool))
+    stage = PartnerPredictions.from_pairing(pairer, data, prediction, pairing, sigma)
+    is_paired = stage.partner_mode > 0
+    *_, chi2 = fitter.evaluate(fitter.declared, is_paired, pairing)
+    residual = stage.frequency / data.frequency - 1.0
     drives = drives_of(structure, data)
     rows = tuple(
         ComparedRow(
@@ -179,24 +195,21 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
             measured=float(data.frequency[i]),
             sigma=float(data.sigma[i]),
             drives=drives[i],
-            predicted=float(predicted[i]) if is_paired[i] else None,
+            predicted=number_or_none(stage.frequency[i]),
             partner=int(pairing.partner[i]) + 1 if is_paired[i] else None,
-            residual=float(residual[i]) if is_paired[i] else None,
-            sigmas=float(sigmas[i]) if is_paired[i] else None,
-            mac=None if np.isnan(pairing.mac[i]) else float(pairing.mac[i]),
+            residual=number_or_none(residual[i]),
+            sigmas=number_or_none(stage.normalised_differences[i]),
+            mac=number_or_none(stage.partner_mac[i]),
             load=data.load(int(data.pose[i])),
             level=data.level_at(int(data.pose[i])),
+            nearest=number_or_none(stage.nearest_frequency[i]),
+            nearest_mac=number_or_none(stage.nearest_mac[i]),
         )
         for i in range(len(is_paired))
     )
     notes = (*answer_for_declared_model(fitter), *notes_on_amplitude(fitter, fitter.declared))
-    prediction = structure.predict(fitter.declared, ())
-    stage, rigid = (
-        PartnerPredictions.from_pairing(fitter.observations.pairer, data, prediction, pairing, sigma),
-        prediction.rigid,
-    )
     if not is_paired.any():
-        return Comparison(rows, None, None, None, notes, rigid, stage)
+        return Comparison(rows, None, None, None, notes, prediction.rigid, stage)
     count = int(is_paired.sum())
     return Comparison(
         rows,
@@ -204,6 +217,6 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
         chi2_per_dof=chi2 / count,
         p_value=float(stats.chi2.sf(chi2, count)),
         notes=notes,
-        rigid=rigid,
+        rigid=prediction.rigid,
         stage=stage,
     )

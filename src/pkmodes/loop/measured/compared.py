@@ -11,7 +11,8 @@ from scipy.optimize import linear_sum_assignment
 from scipy.special import chdtrc
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.core.support.mac import mac_of_each, rotation_weights
+from pkmodes.core.base.numbers import number_or_none
+from pkmodes.core.support.mac import MIN_MAC_OF_PAIR, mac_of_each, rotation_weights
 from pkmodes.loop.measured.comparison import Changed, MeasurementsCompared, ModePair
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.positions import is_same_position
@@ -44,8 +45,6 @@ Array = NDArray[np.float64]
 RowPair = tuple[int, int, float | None]
 #: Largest difference between the logarithms of the frequencies of one mode.
 MAX_FREQUENCY_DIFFERENCE = 0.25
-#: Rows whose shapes have a smaller MAC are not of one mode.
-MIN_MAC_OF_PAIR = 0.5
 #: Difference between the logarithms of two frequencies that costs as much as shapes with a MAC of 0.
 DIFFERENCE_AT_ZERO_MAC = 0.1
 
@@ -135,8 +134,8 @@ def _mode_pairs(
             differs=bool(differs[k]),
             mode=first.mode[i],
             noticeable=float(threshold * sigma_of_difference[k] / before[k]),
-            beyond_common=_number_or_none(own_changes.relative[k]),
-            beyond_common_sigmas=_number_or_none(own_changes.sigmas[k]),
+            beyond_common=number_or_none(own_changes.relative[k]),
+            beyond_common_sigmas=number_or_none(own_changes.sigmas[k]),
             own_change=bool(own_changes.is_clear[k] if is_common_change else differs[k]),
             shape=shape,
             cautions=cautions_of(
@@ -148,11 +147,6 @@ def _mode_pairs(
         )
         for k, ((i, j, mac_of_pair), shape) in enumerate(zip(rows, shapes, strict=True))
     ], common_change
-
-
-def _number_or_none(number: float) -> float | None:
-    """Return a number, or None for NaN."""
-    return float(number) if np.isfinite(number) else None
 
 
 def _kind_of_change(pairs: Sequence[ModePair], common: CommonChange | None, p_value: float | None) -> Changed:

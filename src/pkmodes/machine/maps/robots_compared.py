@@ -16,7 +16,7 @@ from pkmodes.core.base.errors import PoseError
 from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.documents import Count, Document, Number, Probability
-from pkmodes.core.support.mac import mass_weighted_mac
+from pkmodes.core.support.mac import MIN_MAC_OF_PAIR, mass_weighted_mac
 from pkmodes.core.support.progress import report_progress
 from pkmodes.loop.robot_files.differences import (
     ChoiceDifference,
@@ -33,8 +33,6 @@ RANGE_QUANTILES = (0.02, 0.98)
 #: A mode is comparable if its partner differs at no more than this share of the poses, and the median MAC of the
 #: pairs is at least this.
 MAX_EXCHANGED, MIN_MAC = 0.1, 0.8
-#: Modes with a smaller MAC are no pair: only one mode of a robot can have a larger one with a shape.
-MIN_PAIR_MAC = 0.5
 #: Smaller relative changes of a frequency are reported as none.
 NEGLIGIBLE_CHANGE = 5e-5
 
@@ -217,7 +215,7 @@ def compare_frequencies(
     """Evaluate two robots at the same poses and pair their modes at each of them.
 
     The pairs are those with the largest sum of MAC, so a mode keeps its partner where frequencies cross or veer; but
-    modes with a MAC below `MIN_PAIR_MAC` are none.
+    modes with a MAC below `MIN_MAC_OF_PAIR` are none.
 
     - poses: where a robot cannot be evaluated, it is left out, (N, d)
     - drives: as for `pkmodes.Model.modes`; by default as both robot files say, free where these differ
@@ -308,7 +306,7 @@ def _compare_at(first: Model, second: Model, poses: Array, drives: str) -> tuple
             modes, partners = np.arange(len(mac_table)), mac_table.argmax(axis=1)
             if len(np.unique(partners)) < len(partners):
                 modes, partners = linear_sum_assignment(mac_table, maximize=True)
-            is_pair = mac_table[modes, partners] >= MIN_PAIR_MAC
+            is_pair = mac_table[modes, partners] >= MIN_MAC_OF_PAIR
             modes, partners = modes[is_pair], partners[is_pair]
             partner[row, modes] = partners
             relative[row, modes] = g[row, partners] / f[row, modes] - 1.0

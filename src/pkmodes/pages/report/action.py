@@ -216,12 +216,15 @@ def _remaining_difference(result: Diagnosis) -> list[Cell]:
     predicted = [row.before if result.refit is None else row.refit for row in rows]
     differences = [(f - row.measured, row) for f, row in zip(predicted, rows, strict=True) if f is not None]
     if not differences:
-        return [Cell("The model has no mode near any measured frequency.")]
+        return [Cell("No measured mode has a partner in the model.")]
     rms = float(np.sqrt(np.mean([difference**2 for difference, _ in differences])))
     largest, row = max(differences, key=lambda difference_and_row: abs(difference_and_row[0]))
     title = "as declared" if result.refit is None else "with its uncertain values refitted"
     unmatched_count = len(rows) - len(differences)
-    unmatched_note = f" It has no mode for {plural(unmatched_count, 'other')}." if unmatched_count else ""
+    verb = "has" if unmatched_count == 1 else "have"
+    unmatched_note = (
+        f" {plural(unmatched_count, 'other')} {verb} no partner in the model." if unmatched_count else ""
+    )
     measured, modelled = (
         round_to_sigma(frequency, abs(largest)).columns[0]
         for frequency in (row.measured, row.measured + largest)

@@ -129,7 +129,8 @@ def change_summary(result: Change, context: ReportContext) -> Summary:
     if found_term is not None:
         last_error = found_term.errors[found_term.finding.name]
     if last_error is not None and not result.by_state:
-        facts.append(("final chi\u00b2 per degree of freedom", three_digit_cell(last_error.chi2_per_dof)))
+        chi2 = three_digit_cell(last_error.chi2_per_dof)
+        facts.append(("final chi\u00b2 per degree of freedom of all fitted modes", chi2))
     return Summary(
         subject=context.title(row.drives for row in result.rows),
         kind="What changed",

@@ -21,6 +21,7 @@ from pkmodes.pages.report.formatting import (
 from pkmodes.pages.report.numbers import percent_cell
 from pkmodes.pages.report.report_context import ReportContext
 from pkmodes.pages.report.tables import compact_table
+from pkmodes.pages.report.unmatched import kinds_in_words
 
 if TYPE_CHECKING:
     from pkmodes.loop.diagnosis.verdict.verdicts import Colour
@@ -32,7 +33,10 @@ def comparison_summary(result: Comparison, context: ReportContext) -> Summary:
     mode_count, pose_count = len(result.rows), len({row.pose for row in result.rows})
     facts = [
         ("rms difference [%]", percent_cell(result.rms_relative, pointer("rms_relative"))),
-        ("chi\u00b2 per degree of freedom", three_digit_cell(result.chi2_per_dof, pointer("chi2_per_dof"))),
+        (
+            f"chi\u00b2 per degree of freedom of {_paired_modes(result)}",
+            three_digit_cell(result.chi2_per_dof, pointer("chi2_per_dof")),
+        ),
         ("p-value", p_value_cell(result.p_value, pointer("p_value"))),
         ("measured modes", Cell(str(mode_count), mode_count)),
         ("poses", Cell(str(pose_count), pose_count)),
@@ -56,22 +60,34 @@ def assess_differences(result: Comparison) -> tuple[str, str, Colour]:
     if p is None:
         return (
             "No measured mode has a partner",
-            "The model has no mode near any of the measured frequencies.",
+            f"Unmatched are {kinds_in_words(result.unpaired)}.",
             "bad",
         )
     unmatched_note = (
         f"; {plural(len(result.unpaired), 'measured mode')} without a partner" if result.unpaired else ""
     )
+    left_out = (
+        f" The rms, chi\u00b2 and p are of {_paired_modes(result)}. Left out are {kinds_in_words(result.unpaired)}."
+        if result.unpaired
+        else ""
+    )
     if p > Criteria().gate.level:
         headline = "The differences are within the measurement errors"
-        reason = "Nothing was fitted: the declared model predicts the measured modes as well as they were measured."
+        modes = _paired_modes(result) if result.unpaired else "the measured modes"
+        reason = f"Nothing was fitted: the declared model predicts {modes} as well as they were measured.{left_out}"
         return headline + unmatched_note, reason, "open" if result.unpaired else "good"
     headline = "The differences are larger than the measurement errors"
     reason = (
         "Nothing was fitted. The declared model differs from the measurements by more than their stated errors: "
-        "pkmodes diagnose looks for the cause."
+        f"pkmodes diagnose looks for the cause.{left_out}"
     )
     return headline + unmatched_note, reason, "open"
+
+
+def _paired_modes(result: Comparison) -> str:
+    """Return what rms, chi-square and the p-value are of."""
+    count = len(result.rows) - len(result.unpaired)
+    return "the paired mode" if count == 1 else f"the {count} paired modes"
 
 
 def mode_difference_tables(result: Comparison) -> list[Table]:

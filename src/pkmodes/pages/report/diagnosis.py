@@ -207,7 +207,10 @@ def _header_facts(result: Diagnosis, context: ReportContext) -> list[tuple[str, 
         held_out_cell = numbers.percent_cell(error.held_out_rms_relative, held_out_pointer)
         facts.append((f"rms of held-out poses {stages[last_stage][1]} [%]", held_out_cell))
         chi2 = three_digit_cell(error.chi2_per_dof, error_pointers[last_stage] + pointer("chi2_per_dof"))
-        facts.append((f"chi\u00b2 per degree of freedom {stages[last_stage][1]}", chi2))
+        fitted = sum(not (row.held_out or row.outlier) for row in result.rows)
+        facts.append(
+            (f"chi\u00b2 per degree of freedom of {fitted} fitted modes {stages[last_stage][1]}", chi2)
+        )
     return facts
 
 

@@ -92,10 +92,7 @@ def three_digit_cell(
     value: float | None, json_pointer: str = "", *, scale: float = 1.0, strong: bool = False
 ) -> Cell:
     """Return a number with three significant digits, zeros among them: 5.30 beside 12.7."""
-    size = 0.0 if value is None or math.isnan(value) else abs(scale * value)
-    return number_cell(
-        value, "#.3g" if 0.0 < size < 99.95 else ".0f", json_pointer, scale=scale, strong=strong
-    )
+    return _format_cell(value, lambda finite: numbers.three_digits(scale * finite), json_pointer, strong)
 
 
 def frequency_cell(value: float | None, json_pointer: str = "") -> Cell:

@@ -13,6 +13,7 @@ from pkmodes.pages.report.blocks import Cell, Column, Table
 from pkmodes.pages.report.formatting import frequency_cell, label_cell, number_cell, plural, pointer
 from pkmodes.pages.report.report_context import ReportContext
 from pkmodes.pages.report.tables import compact_table
+from pkmodes.pages.report.unmatched import OTHER_SHAPE, nearest_in_words
 
 #: Maximum number of rows on the page; beyond that, only those that differ most.
 MAX_ROWS = 300
@@ -39,6 +40,7 @@ def mode_table(
     has_loads = any(row.load for row in rows)
     has_several_drives = len({row.drives for row in rows}) > 1
     remarks = [_remark(row, evidence, i) for i, row in enumerate(rows)]
+    has_remarks = any(remark.text for remark in remarks)
     columns = [
         Column(evidence.setup_noun, numeric=False),
         *([Column("motors", numeric=False)] if has_several_drives else []),
@@ -55,9 +57,9 @@ def mode_table(
         columns += [Column("measured [%]"), Column("\u03c3 [%]"), Column("model [%]")]
         groups.append(("damping ratio", 3))
     columns += [Column("MAC")] if has_macs else []
-    columns += [Column("remark", numeric=False)] if any(remarks) else []
+    columns += [Column("remark", numeric=False)] if has_remarks else []
     columns += [Column("set", numeric=False)] if has_loads else []
-    ungrouped_count = has_macs + any(remarks) + has_loads
+    ungrouped_count = has_macs + has_remarks + has_loads
     groups += [("", ungrouped_count)] if ungrouped_count else []
     table_rows = []
     for i in row_indices:
@@ -72,13 +74,15 @@ def mode_table(
                 number_cell(getattr(row, key), ".3g", pointer("rows", i, key), scale=100.0) for key in keys
             ]
         cells += [number_cell(row.mac, ".3f", pointer("rows", i, "mac"))] if has_macs else []
-        cells += [Cell(remarks[i])] if any(remarks) else []
+        cells += [remarks[i]] if has_remarks else []
         cells += [context.load_cell(row.load)] if has_loads else []
         table_rows.append(cells)
     caption = (
         "Measured modes and the model; differences are model minus measurement. Line: of the measurement file"
     )
     caption += "; own: the name of the mode there." if has_names else "."
+    if any(row.nearest is not None for row in rows):
+        caption += f" An unmatched mode with a MAC: the nearest mode of the model has {OTHER_SHAPE}."
     return compact_table(caption, columns, table_rows, groups, note, key_columns=2 + has_several_drives)
 
 
@@ -128,12 +132,15 @@ def _frequency_cells(result: Diagnosis | Comparison, evidence: PlottedEvidence, 
     return cells
 
 
-def _remark(row: Row | ComparedRow, evidence: PlottedEvidence, i: int) -> str:
-    words = []
+def _remark(row: Row | ComparedRow, evidence: PlottedEvidence, i: int) -> Cell:
+    words, nearest, nearest_mac = [], "", ""
     if isinstance(row, Row):
         words += ["held out"] * row.held_out + ["set aside"] * row.outlier
     elif row.shape_differs:
         words.append("damping of another shape")
     if evidence.stages and not evidence.last_stage.paired[i]:
         words.append("unmatched")
-    return ", ".join(words)
+        if reason := nearest_in_words(row):
+            nearest, nearest_mac = f": {reason}", f": MAC {row.nearest_mac:.3f}"
+    text = ", ".join(words)
+    return Cell(text + nearest, plain_text=text + nearest_mac)

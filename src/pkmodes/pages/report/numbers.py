@@ -23,9 +23,7 @@ from pkmodes.pages.report.formatting import (
 )
 from pkmodes.pages.report.report_context import ReportContext
 from pkmodes.pages.report.tables import compact_table
-
-#: What a measured mode without a partner counts as, as in the glossary.
-FACTOR_WITHOUT_PARTNER = "a factor of 1.8"
+from pkmodes.pages.report.unmatched import counting_in_words
 
 
 def error_blocks(result: Diagnosis) -> list[Table | Paragraph]:
@@ -46,7 +44,10 @@ def error_blocks(result: Diagnosis) -> list[Table | Paragraph]:
     columns.append(Column("chi\u00b2 per dof"))
     if not result.held_out_poses:
         rows, columns = [[*row[:2], row[3]] for row in rows], [*columns[:2], columns[3]]
-    caption = "Errors of the model: rms of model / measurement \u2212 1, and chi\u00b2 per degree of freedom."
+    caption = (
+        "Errors of the model: rms of model / measurement \u2212 1 of the modes that have a partner, and chi\u00b2 "
+        "per degree of freedom of all fitted modes."
+    )
     blocks: list[Table | Paragraph] = [Table(caption, columns, rows)]
     blocks += _unpaired_paragraphs(result)
     if result.held_out_poses:
@@ -59,17 +60,18 @@ def error_blocks(result: Diagnosis) -> list[Table | Paragraph]:
 
 def _unpaired_paragraphs(result: Diagnosis) -> list[Paragraph]:
     """Return how fitted modes without a partner count in chi-square; empty where every one has a partner."""
-    fitted = [row for row in result.rows if not (row.held_out or row.outlier)]
+    is_fitted = np.array([not (row.held_out or row.outlier) for row in result.rows])
     for name, (title, _) in result.errors.items():
-        if count := sum(getattr(row, name) is None for row in fitted):
-            verb, subject = ("mode has", "it") if count == 1 else ("modes have", "each")
-            stage = title.partition(": ")[2] or title
-            return [
-                Paragraph(
-                    f"{count} fitted {verb} no partner in the model ({stage}): {subject} counts in chi\u00b2 as a "
-                    f"difference by {FACTOR_WITHOUT_PARTNER}, and not in the rms."
-                )
-            ]
+        is_unmatched = is_fitted & [getattr(row, name) is None for row in result.rows]
+        if is_unmatched.any():
+            predicted = None if result.stages is None else getattr(result.stages, name)
+            nearest = (
+                [row.nearest is not None for row in result.rows]
+                if predicted is None
+                else np.isfinite(predicted.nearest_frequency)
+            )
+            counts = int(is_unmatched.sum()), int((is_unmatched & nearest).sum())
+            return [Paragraph(counting_in_words(*counts, title.partition(": ")[2] or title))]
     return []
 
 

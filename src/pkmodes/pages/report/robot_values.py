@@ -7,9 +7,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from pkmodes.core.robot.report_fields import common_head
+from pkmodes.core.support.mac import MIN_MAC_OF_PAIR
 from pkmodes.core.support.motors import motors_of_both
 from pkmodes.core.support.words import meaning_of
-from pkmodes.machine.maps.robots_compared import MIN_PAIR_MAC, ModeChange, largest_difference_sentence
+from pkmodes.machine.maps.robots_compared import ModeChange, largest_difference_sentence
 from pkmodes.pages.plots.labels import MINUS
 from pkmodes.pages.report.blocks import Cell, Column, Listing, Paragraph, Summary, Table
 from pkmodes.pages.report.formatting import (
@@ -149,7 +150,7 @@ def frequency_difference_blocks(content: dict[str, Any]) -> Iterator[ValueBlock]
     yield Table(caption, [Column(title) for title in titles], rows, groups)
     yield Paragraph(
         "Modes are numbered by frequency in the first robot. At each pose they are paired with those of the second "
-        f"by their shapes: the pairs with the largest sum of MAC, none below {MIN_PAIR_MAC:g}. The partner named is "
-        "the most frequent one; exchanged is the share of poses at which it is another, because frequencies cross "
+        f"by their shapes: the pairs with the largest sum of MAC, none below {MIN_MAC_OF_PAIR:g}. The partner named "
+        "is the most frequent one; exchanged is the share of poses at which it is another, because frequencies cross "
         "or veer, or there is none; MAC is the median of the pairs."
     )

@@ -9,6 +9,7 @@ from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.pages.report.blocks import Block, Cell, EmbeddedHtml, Facts, Paragraph, Section
 from pkmodes.pages.report.formatting import clean, shorten
 from pkmodes.pages.report.sources import Source
+from pkmodes.pages.report.unmatched import FARTHEST, OTHER_SHAPE
 
 #: Terms that the reader of a comparison or a diagnosis needs, as in docs/explanation/diagnosis.md.
 COMPARISON_TERMS = {
@@ -17,11 +18,17 @@ COMPARISON_TERMS = {
     "Differences above 3 \u03c3 are rarely noise.",
     "rms": "Root mean square of the relative differences.",
     "chi\u00b2 per dof": "Mean square of the differences in \u03c3, per degree of freedom: near 1 for noise of the "
-    "stated size.",
+    "stated size. It is that of the modes with a partner; the others have no difference, and are left out.",
     "MAC": "Modal assurance criterion of a measured shape and a shape of the model: 1 if they are the same.",
-    "unmatched": "A measured mode for which the model has no mode left within a factor of 1.8 in frequency.",
+    "unmatched": "A measured mode without a partner. Each mode of the model goes with the measured mode to which it "
+    f"is nearest in frequency and shape. For this one none is left within {FARTHEST} in frequency, or the one left "
+    f"has {OTHER_SHAPE}, by more than the errors of the shape explain.",
 }
 DIAGNOSIS_TERMS = {
+    "chi\u00b2 per dof": "Mean square of the differences in \u03c3, per degree of freedom, of all fitted modes and "
+    "the uncertain values: near 1 for noise of the stated size. An unmatched mode counts too, since it is to be "
+    f"explained: as a difference by {FARTHEST} where no mode is left, or as the difference from the nearest mode if "
+    "that has another shape. A comparison leaves these modes out, so that its chi\u00b2 is smaller.",
     "uncertain value": "Declared with a standard deviation, its prior, and refitted within it in every fit.",
     "candidate": "Something the model may lack or have wrong. A cause is a candidate that was found.",
     "class": "Candidates that these data cannot tell apart. A claim never goes beyond its class.",

@@ -12,8 +12,9 @@ from pkmodes.loop.diagnosis.beyond.evidence import TermEvidence
 from pkmodes.loop.diagnosis.verdict import rules
 from pkmodes.loop.diagnosis.verdict.classes import are_added_modes_credible, count_distinct_causes
 from pkmodes.loop.diagnosis.verdict.evidence import Answer, Rule
+from pkmodes.loop.diagnosis.verdict.misfit import size_in_words
 from pkmodes.loop.diagnosis.verdict.naming import explanation_in_words
-from pkmodes.loop.diagnosis.verdict.reasons import errors_in_words, names, ratio_in_words
+from pkmodes.loop.diagnosis.verdict.reasons import errors_in_words, names, without_mode
 from pkmodes.loop.diagnosis.verdict.verdicts import FOUND, NOTHING, SEVERAL
 
 
@@ -29,15 +30,13 @@ def nothing(e: TermEvidence) -> str:
     best = f"the best, {e.term_names}, is refused"
     if e.final.at_bound:
         return f"{sentence}: {best}, because {', '.join(e.final.at_bound)} is at its bound"
-    squares, degrees = e.store.frequency_misfit(e.final)
     p_value = e.store.p_value(e.final)
     if p_value <= e.criteria.gate.surely < e.store.frequency_p_value(e.final):
         p = p_in_words(p_value)
         return f"{sentence}: the best, {e.term_names}, leaves frequencies as measured, but not shapes ({p})"
     if p_value <= e.criteria.gate.surely:
-        factor = ratio_in_words((squares / max(degrees, 1.0)) ** 0.5)
-        p = p_in_words(p_value)
-        return f"{sentence}: the best, {e.term_names}, leaves a residual {factor} the stated errors ({p})"
+        size = size_in_words(e.store.frequency_misfit(e.final), p_value=p_value)
+        return f"{sentence}: the best, {e.term_names}, leaves a residual {size}"
     if not are_added_modes_credible(e.search, e.final):
         return f"{sentence}: {best}, because it adds modes between the measured ones that were not measured"
     return f"{sentence}: {best}, because it does not help to predict setups left out of the fit"
@@ -58,8 +57,7 @@ def leaves_more(e: TermEvidence) -> str:
     gate, level = e.claim.last_gate, e.criteria.gate.surely
     opening = f"{e.term_names} would explain nearly all of the residual, but"
     if gate.unpaired_count:
-        plural = "" if gate.unpaired_count == 1 else "s"
-        return f"{opening} leaves {gate.unpaired_count} measured mode{plural} unmatched"
+        return f"{opening} with it the model has {without_mode(gate.unpaired_count)}"
     if gate.p_unmeasured <= level:
         return f"{opening} adds modes between the measured ones that were not measured"
     if not gate.passes_at(level):

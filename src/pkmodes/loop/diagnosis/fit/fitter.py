@@ -114,9 +114,11 @@ class Fitter:
         return sums
 
     def evaluate(
-        self, values: Array, used_row_mask: NDArray[np.bool_]
+        self, values: Array, used_row_mask: NDArray[np.bool_], pairing: Pairing | None = None
     ) -> tuple[Pairing, Array, Array, float]:
         """Evaluate given values without any fit, including the errors of uncertain positions.
+
+        - pairing: with the prediction of these values; by default the used rows are paired
 
         Returns, in this order:
         - pairing
@@ -124,7 +126,7 @@ class Fitter:
         - chi2: whitened sum of squares of the frequencies of the used rows
         """
         prediction = self.structure.predict(values, ())
-        pairing = self.observations.pairer.pair(prediction, used_row_mask)
+        pairing = pairing or self.observations.pairer.pair(prediction, used_row_mask)
         position_rates = self._position_rates(values, pairing, used_row_mask)
         residual = self.observations.residual(prediction, pairing, used_row_mask)
         rows, noise = self.observations.frequency_slice, self.observations.noise

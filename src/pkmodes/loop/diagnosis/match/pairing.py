@@ -18,6 +18,7 @@ from scipy.optimize import linear_sum_assignment
 
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.support.mac import (
+    MIN_MAC_OF_PAIR,
     channel_motion,
     channel_weights,
     explained_difference,
@@ -150,9 +151,7 @@ class Pairer:
         if shapes is not None:
             single_macs = shapes.single_macs()
             macs = self._macs_with_close_modes(single_macs, shapes, log_frequencies, is_close_to_next)
-            explained = explained_difference(shapes.rows, shapes.errors, c.pairing.shape_sigmas)[..., None]
-            explained = np.minimum(explained, 1.0 - c.shapes.good_mac)
-            shape_distance = np.maximum(1.0 - macs - explained, 0.0) / (1.0 - explained)
+            shape_distance = _shape_distance(macs, self._explained(shapes)[..., None])
             cost = cost + c.pairing.shape_weight**2 * np.where(np.isnan(macs), 0.0, shape_distance)
         # The assignment may take a mode that is too far away, which is then no partner.  Its cost is constant:
         # otherwise a mode that the model lacks would shift the others.
@@ -172,6 +171,19 @@ class Pairer:
             unpaired_modes = np.where(unpaired_modes >= 0, unpaired_modes - rigid, -1)
             partner_macs = self._macs_of_partners(partners - rigid, unpaired_modes, single_macs, shapes)
         return Pairing(partners, partner_macs)
+
+    def has_other_shape(self, prediction: Prediction, pairing: Pairing) -> NDArray[np.bool_]:
+        """Return whether the partner of each row has another shape, so that the two are told as no pair, (R,).
+
+        A fit and its chi-square keep these partners: without them no step of the fit could bring the shapes together.
+
+        - pairing: of the same prediction
+        """
+        if not len(self.columns):
+            return np.zeros(len(self._log), dtype=bool)
+        explained = self._explained(self._shapes(prediction))[self.pose, self._column]
+        similarity = 1.0 - _shape_distance(pairing.mac, explained)
+        return np.asarray((similarity < MIN_MAC_OF_PAIR) & (pairing.partner >= 0))  # False without a shape
 
     def macs(self, prediction: Prediction) -> Array:
         """Return the MAC of each row with each elastic mode of its setup, (R, m); NaN without a shape."""
@@ -197,6 +209,12 @@ class Pairer:
         scatter = self._criteria.shapes.scatter * np.abs(rows).max(axis=-1, keepdims=True)
         errors = np.where(np.isnan(stated_errors), scatter, stated_errors) * self._measured
         return _Shapes(rows, model[:, prediction.rigid :] * weights, self._measured, errors)
+
+    def _explained(self, shapes: _Shapes) -> Array:
+        """Return the part of 1 - MAC that the errors of each row's shape explain, (S, r)."""
+        c = self._criteria
+        explained = explained_difference(shapes.rows, shapes.errors, c.pairing.shape_sigmas)
+        return np.minimum(explained, 1.0 - c.shapes.good_mac)
 
     def _macs_with_close_modes(
         self, single_macs: Array, shapes: _Shapes, log_frequencies: Array, is_close_to_next: NDArray[np.bool_]
@@ -241,6 +259,11 @@ class Pairer:
             subspace_macs = shapes.in_subspace(pose[crowded_rows], column[crowded_rows], members)
             macs[crowded_rows] = np.where(members.sum(axis=1) > 1, subspace_macs, macs[crowded_rows])
         return macs
+
+
+def _shape_distance(macs: Array, explained: Array) -> Array:
+    """Return 1 - MAC less the part that the errors explain, from 0 for the same shape to 1."""
+    return np.asarray(np.maximum(1.0 - macs - explained, 0.0) / (1.0 - explained))
 
 
 def tile_indices(indices: Index, count: int, size: int) -> Index:

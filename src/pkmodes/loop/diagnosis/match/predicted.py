@@ -20,6 +20,9 @@ PADDING_MULTIPLE = 1e6
 class PartnerPredictions:
     """Predictions of one model for all R measured modes at S setups, with m elastic modes each.
 
+    A partner of another shape is none (`Pairer.has_other_shape`), though it is the one with which a fit compares the
+    mode.
+
     - frequency: frequency of the partner, (R,) [Hz], NaN if the mode is unmatched
     - partner_mode: number of the partner among the elastic modes of its setup, from 1, (R,); 0 if unmatched
     - normalised_differences: ln(f_model / f_measured) in standard deviations of the measurement, including its
@@ -28,6 +31,8 @@ class PartnerPredictions:
       or partner
     - mac_by_mode: MAC with each elastic mode of the setup, (R, m); NaN without shape
     - elastic_frequencies: those of each setup, (S, m) [Hz], ascending; modes that pad a setup are NaN
+    - nearest_frequency, nearest_mac: frequency [Hz] and MAC of the nearest mode of the model if that has another
+      shape, so that the row is unmatched, (R,); NaN elsewhere
     """
 
     frequency: Array
@@ -36,6 +41,8 @@ class PartnerPredictions:
     partner_mac: Array
     mac_by_mode: Array
     elastic_frequencies: Array
+    nearest_frequency: Array
+    nearest_mac: Array
 
     @classmethod
     def from_pairing(
@@ -46,16 +53,19 @@ class PartnerPredictions:
         - pairing: pairing of all rows
         - sigma: standard deviations of ln f, (R,)
         """
-        is_paired = pairing.partner >= 0
-        log_frequencies = prediction.log_frequencies
-        partner_logs = np.where(is_paired, log_frequencies[data.pose, np.maximum(pairing.partner, 0)], np.nan)
+        has_other_shape = pairer.has_other_shape(prediction, pairing)
+        is_paired = (pairing.partner >= 0) & ~has_other_shape
+        nearest_logs = prediction.log_frequencies[data.pose, np.maximum(pairing.partner, 0)]
+        partner_logs = np.where(is_paired, nearest_logs, np.nan)
         return cls(
             frequency=np.exp(partner_logs),
             partner_mode=np.where(is_paired, pairing.partner - prediction.rigid + 1, 0),
             normalised_differences=(partner_logs - FREQUENCY.transformed(data)) / sigma,
-            partner_mac=pairing.mac,
+            partner_mac=np.where(is_paired, pairing.mac, np.nan),
             mac_by_mode=pairer.macs(prediction),
             elastic_frequencies=elastic_frequencies_of(prediction, data),
+            nearest_frequency=np.exp(np.where(has_other_shape, nearest_logs, np.nan)),
+            nearest_mac=np.where(has_other_shape, pairing.mac, np.nan),
         )
 
 

@@ -29,15 +29,8 @@ class MatchStage:
 
     @cached_property
     def pairing(self) -> Pairing:
-        """Partners of all rows."""
+        """Partners of all rows as in a fit, those of another shape included."""
         return self.pairer.pair(self.prediction, np.ones(len(self.data.lines), dtype=bool))
-
-    @cached_property
-    def frequencies(self) -> Array:
-        """Frequencies of the partners [Hz], (R,); NaN if unmatched."""
-        partner = self.pairing.partner
-        partner_logs = self.prediction.log_frequencies[self.data.pose, np.maximum(partner, 0)]
-        return np.where(partner >= 0, np.exp(partner_logs), np.nan)
 
     @cached_property
     def sigma(self) -> Array:
@@ -52,7 +45,7 @@ class MatchStage:
 
     @cached_property
     def predicted(self) -> PartnerPredictions:
-        """Partners, differences and MAC, for figures."""
+        """Partners, differences and MAC, as they are told."""
         return PartnerPredictions.from_pairing(
             self.pairer, self.data, self.prediction, self.pairing, self.sigma
         )

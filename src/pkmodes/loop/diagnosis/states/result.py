@@ -169,7 +169,7 @@ def _with_model_errors(row: Row, measured: float, factor: float) -> Row:
     """Return a row with the error that the model has in the trusted state, and the measurement as in its file."""
     scaled = {
         name: None if (value := getattr(row, name)) is None else value * factor
-        for name in ("sigma", "before", "refit", "after")
+        for name in ("sigma", "before", "refit", "after", "nearest")
     }
     return structs.replace(row, measured=measured, **scaled)
 
@@ -189,6 +189,7 @@ def _stages_with_model_errors(stages: Stages, shared: SharedErrors) -> Stages:
         return replace(
             predicted,
             frequency=predicted.frequency * np.exp(shared.offset),
+            nearest_frequency=predicted.nearest_frequency * np.exp(shared.offset),
             elastic_frequencies=spectrum(predicted.elastic_frequencies),
         )
 

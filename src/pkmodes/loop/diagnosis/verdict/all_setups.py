@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.base.numbers import number_or_none
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.match.pairing import Pairer
 from pkmodes.loop.diagnosis.match.stage import MatchStage
@@ -40,7 +41,7 @@ class AllSetups:
 
     def error(self, stage: MatchStage, chi2: float, degrees: float, outlying: NDArray[np.bool_]) -> Error:
         """Return the errors of a stage over the rows that have a partner and are not outliers."""
-        relative = stage.frequencies / self.data.frequency - 1.0
+        relative = stage.predicted.frequency / self.data.frequency - 1.0
         counted = np.isfinite(relative) & ~outlying
 
         def rms(rows: NDArray[np.bool_]) -> float | None:
@@ -58,10 +59,10 @@ class AllSetups:
         outlying: NDArray[np.bool_],
     ) -> tuple[Row, ...]:
         """Return every measured mode with its predictions."""
-        last_stage, drives = after or refit or declared, drives_of(self.structure, self.data)
+        last_stage, drives = (after or refit or declared).predicted, drives_of(self.structure, self.data)
 
         def value(stage: MatchStage | None, i: int) -> float | None:
-            return None if stage is None or np.isnan(stage.frequencies[i]) else float(stage.frequencies[i])
+            return None if stage is None else number_or_none(stage.predicted.frequency[i])
 
         return tuple(
             Row(
@@ -74,11 +75,13 @@ class AllSetups:
                 before=value(declared, i),
                 refit=value(refit, i),
                 after=value(after, i),
-                mac=None if np.isnan(last_stage.pairing.mac[i]) else float(last_stage.pairing.mac[i]),
+                mac=number_or_none(last_stage.partner_mac[i]),
                 held_out=bool(self.is_held_out[i]),
                 outlier=bool(outlying[i]),
                 load=self.data.load(int(self.data.pose[i])),
                 level=self.data.level_at(int(self.data.pose[i])),
+                nearest=number_or_none(last_stage.nearest_frequency[i]),
+                nearest_mac=number_or_none(last_stage.nearest_mac[i]),
             )
             for i in range(len(self.data.lines))
         )

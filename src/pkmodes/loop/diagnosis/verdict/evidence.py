@@ -237,7 +237,8 @@ class Evidence:
         criterion_with_larger_errors = store.criterion(declared_fit) - squares + count * (1.0 + np.log(ratio))
         if criterion_with_larger_errors + np.log(rows) > max_criterion or ratio > c.claim.wrong_errors**2:
             return ""
-        return f"errors {reasons.ratio_in_words(ratio**0.5)} the stated ones"
+        part = store.frequency_misfit(declared_fit)
+        return f"errors {misfit.size_in_words(part, ' without the cause', stated='the stated ones')}"
 
     def _causes_show_only_in_these_rows(self, errors: Hypothesis) -> bool:
         """Return whether each row set aside is the only one in which a cause shows (`shows_in_one_row_only`)."""

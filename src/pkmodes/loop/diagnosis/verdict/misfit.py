@@ -7,9 +7,11 @@ from collections.abc import Sequence
 import numpy as np
 from scipy import stats
 
+from pkmodes.core.base.numbers import p_in_words, three_digits
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Misfit
 from pkmodes.loop.diagnosis.fit.observations import SHAPE
 from pkmodes.loop.diagnosis.fit.store import FitStore
+from pkmodes.loop.diagnosis.verdict.reasons import ratio_in_words
 
 
 def frequency_misfit_without_priors(store: FitStore, fit: Fit) -> Misfit:
@@ -22,6 +24,35 @@ def frequency_misfit_without_priors(store: FitStore, fit: Fit) -> Misfit:
         - int(fit.hypothesis.has_shared_error)
     )
     return Misfit(float(fit.white[rows] @ fit.white[rows]), count - float(fit.leverage[rows].sum()))
+
+
+def larger_misfit(store: FitStore, fit: Fit) -> tuple[Misfit, str]:
+    """Return the larger misfit per degree of freedom, and words for whose it is; empty for the one that pages have.
+
+    Pages have that of the frequencies and priors; the other is that of the shapes with stated errors.
+    """
+    frequencies = store.frequency_misfit(fit)
+    shapes = store.fitter.misfit(fit, SHAPE, stated=True)
+    return (shapes, " of the shapes") if shapes.ratio > frequencies.ratio else (frequencies, "")
+
+
+def residual_in_words(store: FitStore, fit: Fit, p_value: float | None = None) -> str:
+    """Return the size of a residual relative to the stated errors: the root of chi-square, which stands beside it."""
+    return size_in_words(*larger_misfit(store, fit), p_value)
+
+
+def size_in_words(
+    part: Misfit, whose: str = "", p_value: float | None = None, stated: str = "the stated errors"
+) -> str:
+    """Return the size of a misfit relative to the stated errors, with the chi-square of which it is the root.
+
+    - whose: " of the shapes", or empty for the frequencies and priors of the model that is told
+    """
+    p_clause = "" if p_value is None else f"; {p_in_words(p_value)}"
+    return (
+        f"{ratio_in_words(part.ratio**0.5)} {stated} (the root of chi2 per degree of freedom{whose}, "
+        f"{three_digits(part.ratio)}{p_clause})"
+    )
 
 
 def p_declared(store: FitStore, fit: Fit) -> float:

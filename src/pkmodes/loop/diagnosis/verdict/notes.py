@@ -9,7 +9,7 @@ import numpy as np
 from scipy import stats
 
 from pkmodes.core.base.drives import HELD, motors_text
-from pkmodes.core.base.numbers import format_factor, format_signed, plain
+from pkmodes.core.base.numbers import format_factor, format_signed, plain, three_digits
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
@@ -98,11 +98,13 @@ def _stated_error_notes(store: FitStore, fit: Fit, adequate: bool) -> Iterator[s
     if degrees < 1.0:
         return
     ratio = (squares / degrees) ** 0.5
+    subject = "the stated errors of the frequencies are"
+    root = f" (by the root of chi2 per degree of freedom, {three_digits(ratio**2)})"
     if ratio < 1.0 / MAX_OVERSTATEMENT and stats.chi2.cdf(squares, degrees) < MAX_P_OF_SMALL_RESIDUAL:
         factor = format_factor(1.0 / ratio) if ratio > 1e-6 else "far"
-        yield f"the stated errors of the frequencies are {factor} too large: the residual scatters much less"
+        yield f"{subject} {factor} too large: the residual scatters much less{root}"
     elif adequate and ratio > MAX_UNDERSTATEMENT:
-        yield f"the stated errors of the frequencies are {format_factor(ratio)} too small"
+        yield f"{subject} {format_factor(ratio)} too small{root}"
 
 
 def _nuisance_notes(fitter: Fitter, fit: Fit) -> Iterator[str]:

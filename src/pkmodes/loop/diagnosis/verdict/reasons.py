@@ -56,6 +56,11 @@ def ratio_in_words(ratio: float) -> str:
     return f"{format_factor(ratio)} as large as"
 
 
+def without_mode(count: int) -> str:
+    """Return for how many measured modes a model has none left, as the object of a clause."""
+    return f"no mode left for {count} measured mode{'' if count == 1 else 's'}"
+
+
 def variation_with_pose(fitter: Fitter, fit: Fit) -> str:
     """Return how the frequency residual varies with the setup; empty if it does not."""
     residual = fit.residual[fitter.observations.frequency_slice]

@@ -20,6 +20,17 @@ Level = Annotated[
     float | None,
     Meta(description="Level of excitation in the unit of the file; present only where it gives one."),
 ]
+Nearest = Annotated[
+    float | None,
+    Meta(
+        description="Frequency of the nearest mode of the model [Hz], in the last stage; present only where that "
+        "mode has another shape (a MAC below 0.5 that the errors of the shape do not explain), so that the row is "
+        "unmatched."
+    ),
+]
+NearestMac = Annotated[
+    Size | None, Meta(description="MAC with the nearest mode; present like its frequency.")
+]
 
 
 class Error(Document, frozen=True):
@@ -28,14 +39,19 @@ class Error(Document, frozen=True):
     rms_relative: Annotated[
         Size | None,
         Meta(
-            description="Root mean square of f_model / f_measured - 1 over the fitted rows; null if there are none."
+            description="Root mean square of f_model / f_measured - 1 over the fitted rows that have a partner; null "
+            "if there are none."
         ),
     ]
     held_out_rms_relative: Annotated[
         Size | None, Meta(description="The same over the held-out rows; null if there are none.")
     ]
     chi2_per_dof: Annotated[
-        Size, Meta(description="Chi-square per degree of freedom of the fitted rows and the priors.")
+        Size,
+        Meta(
+            description="Chi-square per degree of freedom of all fitted rows and the priors.  An unmatched row "
+            "counts with its difference from the nearest mode, or with a factor of 1.8 where no mode is left."
+        ),
     ]
 
 
@@ -67,11 +83,18 @@ class Row(Place, frozen=True, omit_defaults=True):
         float | None,
         Meta(description="With the causes; null where the row is unmatched, or without that stage."),
     ] = field(name="after_hz")
-    mac: Annotated[Size | None, Meta(description="MAC in the last stage; null where no shape was measured.")]
+    mac: Annotated[
+        Size | None,
+        Meta(
+            description="MAC in the last stage; null where no shape was measured, or the row is unmatched there."
+        ),
+    ]
     held_out: Annotated[bool, Meta(description="Whether its pose took no part in any fit.")]
     outlier: Annotated[bool, Meta(description="Whether it was set aside.")]
     load: Settings = field(name="set", default_factory=dict)
     level: Level = None
+    nearest: Nearest = field(name="nearest_hz", default=None)
+    nearest_mac: NearestMac = None
     damping: Annotated[
         float | None,
         Meta(

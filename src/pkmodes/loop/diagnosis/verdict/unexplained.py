@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from pkmodes.core.base.numbers import p_in_words, plain
+from pkmodes.core.base.numbers import p_in_words, plain, three_digits
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Misfit
 from pkmodes.loop.diagnosis.fit.observations import SHAPE
 from pkmodes.loop.diagnosis.fit.store import FitStore
@@ -12,7 +12,7 @@ from pkmodes.loop.diagnosis.problem import Candidate
 from pkmodes.loop.diagnosis.search.gate import Gate
 from pkmodes.loop.diagnosis.verdict import misfit
 from pkmodes.loop.diagnosis.verdict.evidence import Answer, Evidence, Rule
-from pkmodes.loop.diagnosis.verdict.reasons import names, ratio_in_words, variation_with_pose
+from pkmodes.loop.diagnosis.verdict.reasons import names, variation_with_pose, without_mode
 from pkmodes.loop.diagnosis.verdict.verdicts import UNEXPLAINED
 
 
@@ -27,14 +27,11 @@ def added_modes(e: Evidence) -> str:
 
 
 def unmatched_modes(e: Evidence) -> Answer | None:
-    """Measured modes are unmatched, and no candidate adds one there."""
+    """The model has no mode left for some measured ones, and no candidate adds one there."""
     count = e.outcome.last_gate.unpaired_count
     if not count:
         return None
-    modes_in_words = "1 measured mode is" if count == 1 else f"{count} measured modes are"
-    return _with_best_explanation(
-        e, f"{modes_in_words} unmatched: the model has no mode there, and no candidate adds one"
-    )
+    return _with_best_explanation(e, f"the model has {without_mode(count)}, and no candidate adds one")
 
 
 def value_far_away(e: Evidence) -> Answer | None:
@@ -62,8 +59,8 @@ def shapes_differ(e: Evidence) -> Answer | None:
         return None
     line = misfit.worst_shape(e.store, e.outcome.nuisance_fit)
     text = (
-        f"the frequencies agree with the model, but the shapes do not (chi2 per degree of freedom "
-        f"{plain(shapes.ratio, 3)}, worst in line {line}), and no candidate or pair of candidates explains both"
+        f"the frequencies agree with the model, but the shapes do not (their chi2 per degree of freedom is "
+        f"{three_digits(shapes.ratio)}; worst in line {line}), and no candidate or pair of candidates explains both"
     )
     return _with_best_explanation(e, text)
 
@@ -105,11 +102,11 @@ def nearly_all(e: Evidence) -> Answer | None:
             continue
         gate = e.search.gate(fit)
         if not gate.passed and gate.p_unmeasured > e.criteria.gate.surely:
-            explanations.append((fit, ratio_after))
+            explanations.append(fit)
     if not explanations:
         return None
-    sort_key = _penalised_criterion(e)
-    best, ratio_after = min(explanations, key=lambda entry: sort_key(entry[0]))
+    (before, whose), sort_key = misfit.larger_misfit(store, e.outcome.nuisance_fit), _penalised_criterion(e)
+    best = min(explanations, key=sort_key)
     # A pair of causes is fitted in either order, with the same result up to rounding: name them in the order of the
     # candidates.
     order_of_candidates = {candidate.name: k for k, candidate in enumerate(e.search.candidates)}
@@ -117,16 +114,17 @@ def nearly_all(e: Evidence) -> Answer | None:
         best.causes, key=lambda cause: order_of_candidates.get(cause.name, len(order_of_candidates))
     )
     verb = "explain" if len(causes) > 1 else "explains"
+    after = _misfits(store, best)[1] if whose else store.frequency_misfit(best)
     gate, (refusal, indicated_candidates) = e.search.gate(best), reason_of_refusal(e, best)
     objection = f"this explanation is not claimed: {refusal}"
     if gate.p_value <= gate.level:
         objection = (
-            f"the rest is {ratio_in_words(ratio_after**0.5)} the stated errors ({p_in_words(gate.p_value)}): either "
-            "these are too small, or something else is missing as well"
+            f"the rest is {misfit.residual_in_words(store, best, gate.p_value)}: either these are too small, or "
+            "something else is missing as well"
         )
     text = (
-        f"{names(causes)} {verb} nearly all of the residual (chi2 per degree of freedom from "
-        f"{plain(ratio_before, 3)} to {plain(ratio_after, 3)}), but {objection}"
+        f"{names(causes)} {verb} nearly all of the residual (chi2 per degree of freedom{whose} from "
+        f"{three_digits(before.ratio)} to {three_digits(after.ratio)}), but {objection}"
     )
     return Answer.naming(text, [*causes, *indicated_candidates])
 
@@ -149,7 +147,8 @@ def points_to_no_candidate(e: Evidence) -> Answer | None:
     detail = variation_with_pose(e.fitter, e.outcome.nuisance_fit) or alternative
     return _with_best_explanation(
         e,
-        f"the residual is {ratio_in_words(chi2_per_dof**0.5)} the stated errors{no_candidate_clause}: {detail}",
+        f"the residual is {misfit.size_in_words(e.store.frequency_misfit(e.outcome.nuisance_fit))}"
+        f"{no_candidate_clause}: {detail}",
     )
 
 
@@ -168,13 +167,10 @@ def small_residual(e: Evidence) -> Answer | None:
 
 def real_residual(e: Evidence) -> Answer:
     """No candidate or pair of candidates reduces the residual to noise."""
-    size = _larger_ratio(e.store, e.outcome.nuisance_fit)
+    size = misfit.residual_in_words(e.store, e.outcome.nuisance_fit)
     pattern = variation_with_pose(e.fitter, e.outcome.nuisance_fit)
     suffix = f"; {pattern}" if pattern else ""
-    text = (
-        f"the residual is significant: {ratio_in_words(size**0.5)} the stated errors, and no candidate or pair of "
-        f"candidates reduces it to noise{suffix}"
-    )
+    text = f"the residual is significant: {size}, and no candidate or pair of candidates reduces it to noise{suffix}"
     return _with_best_explanation(e, text)
 
 
@@ -230,13 +226,9 @@ def reason_of_refusal(e: Evidence, fit: Fit) -> tuple[str, list[Candidate]]:
     """Return why the gate refuses an explanation, empty if it does not, and the candidates to which this points."""
     gate = e.search.gate(fit)
     if gate.unpaired_count:
-        return (
-            f"it leaves {gate.unpaired_count} measured mode{'' if gate.unpaired_count == 1 else 's'} unmatched",
-            [],
-        )
+        return f"with it the model has {without_mode(gate.unpaired_count)}", []
     if gate.p_value <= gate.level:
-        factor = ratio_in_words(_larger_ratio(e.store, fit) ** 0.5)
-        return f"it leaves a residual {factor} the stated errors ({p_in_words(gate.p_value)})", []
+        return f"it leaves a residual {misfit.residual_in_words(e.store, fit, gate.p_value)}", []
     if gate.p_unmeasured <= gate.level:
         return "it adds modes between the measured ones that were not measured", []
     if gate.p_candidates <= gate.level:
