@@ -176,3 +176,13 @@ def test_the_glossary_says_which_modes_a_chi_square_is_of(is_diagnosis: bool, co
         "none is left within a factor of 1.8 in frequency, or the one left has another shape"
         in (meanings["unmatched"])
     )
+
+
+def test_the_best_of_the_catalogue_has_one_chi_square_in_sentence_and_table() -> None:
+    """The explanation that the reason names, without errors of the measurement, not one with rows set aside."""
+    result = updating.diagnose(*example())
+    assert result.beyond is not None
+    assert result.beyond.catalogue is not None
+    name, error = result.beyond.catalogue
+    assert name == "link_compliance + frame_compliance.compliance_y"
+    assert f"(the root of chi2 per degree of freedom, {error.chi2_per_dof:.0f}; p" in result.reason

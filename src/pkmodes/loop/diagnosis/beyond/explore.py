@@ -26,6 +26,7 @@ from pkmodes.loop.diagnosis.verdict.notes import notes
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.loop.diagnosis.verdict.rows import Error
 from pkmodes.loop.diagnosis.verdict.terms import Beyond, TermClass
+from pkmodes.loop.diagnosis.verdict.unexplained import best_explanation
 from pkmodes.loop.diagnosis.verdict.verdicts import AMBIGUOUS, EFFECT_FOUND, FOUND, NOTHING, UNEXPLAINED
 
 
@@ -90,9 +91,10 @@ def with_term_result(result: Diagnosis, evidence: TermEvidence | None, catalogue
     status, count = decision.verdict, len(evidence.term_fits.terms)
     groups = [] if status is NOTHING else evidence.groups
     classes = _classes(evidence, groups)
-    # The best explanation of the catalogue, claimed or not, with its errors.
+    # The best explanation of the catalogue, claimed or not, with its errors; that of the reason where this names one.
     fits = [fit for fit in catalogue.store.all_fits() if fit.causes and not fit.hypothesis.remote]
-    best = min(fits, key=catalogue.store.criterion, default=None)
+    best = best_explanation(catalogue) if result.verdict == UNEXPLAINED.word else None
+    best = best or min(fits, key=catalogue.store.criterion, default=None)
     catalogue_best = None if best is None else (name_of_explanation(best), error_of(catalogue, best))
     beyond = Beyond(status.word, decision.reason, count, classes, catalogue_best, decision.rule.name)
     if sum(map(len, groups)) > 1:

@@ -139,7 +139,7 @@ def points_to_no_candidate(e: Evidence) -> Answer | None:
     )
     if not (min_ratio < chi2_per_dof < max_ratio and max(gains, default=0.0) < c.reasons.no_direction):
         return None
-    best = _best_explanation(e)
+    best = _unclaimed_explanation(e)
     alternative = "perhaps the stated sigma is too small"
     if len(e.fitter.observations.log_frequencies) < c.search.rows_to_set_aside:
         alternative = "something outside the candidates, or stated errors that are too small"
@@ -190,25 +190,19 @@ UNEXPLAINED_RULES: tuple[Rule[Evidence, Answer], ...] = (
 
 def _with_best_explanation(e: Evidence, text: str, *indicated_candidates: Candidate) -> Answer:
     """Return a description of the residual, with the explanation that reduces it most and why that is not claimed."""
-    best = _best_explanation(e)
+    best = _unclaimed_explanation(e)
     if best is None:
         return Answer.naming(text, indicated_candidates)
     clause, named = best
     return Answer.naming(f"{text}; {clause}", [*indicated_candidates, *named])
 
 
-def _best_explanation(e: Evidence) -> tuple[str, list[Candidate]] | None:
+def _unclaimed_explanation(e: Evidence) -> tuple[str, list[Candidate]] | None:
     """Return which explanation reduces the residual most and why it is not claimed; and the candidates named in it.
 
-    None if none reduces it clearly, or if the gate does not refuse the best one.  A second cause is named if the data
-    clearly require it.
+    None if none reduces it clearly, or if the gate does not refuse the best one.
     """
-    store = e.store
-    limit = store.criterion(e.outcome.nuisance_fit) - e.criteria.search.survives
-    improving = [
-        fit for fit in _fits_without_errors(store) if not fit.at_bound and store.criterion(fit) < limit
-    ]
-    best = min(improving, key=_penalised_criterion(e), default=None)
+    best = best_explanation(e)
     if best is None:
         return None
     refusal, indicated_candidates = reason_of_refusal(e, best)
@@ -220,6 +214,19 @@ def _best_explanation(e: Evidence) -> tuple[str, list[Candidate]] | None:
     conjunction = "that " if best.causes[0].sentence else ""
     clause = f"the best explanation, {conjunction}{sentences}, is not claimed: {refusal}"
     return clause, [*best.causes, *indicated_candidates]
+
+
+def best_explanation(e: Evidence) -> Fit | None:
+    """Return the fit whose causes reduce the residual most; None if none reduces it clearly.
+
+    It has a second cause if the data clearly require one, and no errors of the measurement.
+    """
+    store = e.store
+    limit = store.criterion(e.outcome.nuisance_fit) - e.criteria.search.survives
+    improving = [
+        fit for fit in _fits_without_errors(store) if not fit.at_bound and store.criterion(fit) < limit
+    ]
+    return min(improving, key=_penalised_criterion(e), default=None)
 
 
 def reason_of_refusal(e: Evidence, fit: Fit) -> tuple[str, list[Candidate]]:
