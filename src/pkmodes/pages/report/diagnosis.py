@@ -208,9 +208,8 @@ def _header_facts(result: Diagnosis, context: ReportContext) -> list[tuple[str, 
         facts.append((f"rms of held-out poses {stages[last_stage][1]} [%]", held_out_cell))
         chi2 = three_digit_cell(error.chi2_per_dof, error_pointers[last_stage] + pointer("chi2_per_dof"))
         fitted = sum(not (row.held_out or row.outlier) for row in result.rows)
-        facts.append(
-            (f"chi\u00b2 per degree of freedom of {fitted} fitted modes {stages[last_stage][1]}", chi2)
-        )
+        whose = f"all {fitted} fitted modes, {stages[last_stage][1]}"
+        facts.append((f"chi\u00b2 per degree of freedom of {whose}", chi2))
     return facts
 
 
