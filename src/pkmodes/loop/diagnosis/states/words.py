@@ -44,6 +44,7 @@ PHRASES = (
     ),
     ("measure or look it up again", "look for what changed it"),
     ("this is the cause", "this changed"),
+    ("without the cause", "without the change"),
     ("one of these is the cause", "one of these changed"),
     ("these are the causes", "these changed"),
     ("no cause is claimed", "no change is claimed"),
