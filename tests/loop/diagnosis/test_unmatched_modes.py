@@ -30,7 +30,7 @@ EXAMPLE = Path(__file__).parents[3] / "examples/loose_rail"
 #: Line of the mode at 151.7 Hz whose nearest mode of the model, at 137 Hz, has nothing of its shape.
 STRANGER = 68
 LEFT_OUT = (
-    "Left out are 9 modes for which the model has none left within a factor of 1.8, and 5 modes whose nearest mode "
+    "Left out: 9 modes for which the model has none left within a factor of 1.8, and 5 modes whose nearest mode "
     "has another shape (MAC below 0.5)."
 )
 

@@ -60,14 +60,14 @@ def assess_differences(result: Comparison) -> tuple[str, str, Colour]:
     if p is None:
         return (
             "No measured mode has a partner",
-            f"Unmatched are {kinds_in_words(result.unpaired)}.",
+            f"Unmatched: {kinds_in_words(result.unpaired)}.",
             "bad",
         )
     unmatched_note = (
         f"; {plural(len(result.unpaired), 'measured mode')} without a partner" if result.unpaired else ""
     )
     left_out = (
-        f" The rms, chi\u00b2 and p are of {_paired_modes(result)}. Left out are {kinds_in_words(result.unpaired)}."
+        f" The rms, chi\u00b2 and p are of {_paired_modes(result)}. Left out: {kinds_in_words(result.unpaired)}."
         if result.unpaired
         else ""
     )

@@ -81,7 +81,7 @@ def mode_table(
         "Measured modes and the model; differences are model minus measurement. Line: of the measurement file"
     )
     caption += "; own: the name of the mode there." if has_names else "."
-    if any(row.nearest is not None for row in rows):
+    if any(rows[i].nearest is not None for i in row_indices):
         caption += f" An unmatched mode with a MAC: the nearest mode of the model has {OTHER_SHAPE}."
     return compact_table(caption, columns, table_rows, groups, note, key_columns=2 + has_several_drives)
 
