@@ -20,6 +20,7 @@ Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 #: Names of the stages of a model.
 DECLARED, REFITTED, CORRECTED = "as declared", "refitted", "with the cause"
+WITH_TERM = "with what was found"
 
 
 @dataclass(frozen=True)
@@ -157,6 +158,8 @@ def _stages(result: Diagnosis | Comparison) -> tuple[ModelStage, ...]:
     stages = [ModelStage("before", declared, predictions.before)]
     if predictions.after is not None:
         stages.append(ModelStage("after", corrected, predictions.after))
+    elif predictions.beyond is not None:
+        stages.append(ModelStage("beyond", WITH_TERM, predictions.beyond))
     elif predictions.refit is not None:
         stages.append(ModelStage("refit", refitted, predictions.refit))
     return tuple(stages)

@@ -140,21 +140,23 @@ def _effect_on_frequencies(result: Diagnosis) -> list[Cell]:
     table of all measured modes: as declared, and with the causes.
     """
     stages = result.stages
-    if stages is None or stages.after is None or stages.without is None:
+    if stages is None or stages.with_causes is None or stages.without is None:
         return []
-    spectra = zip(stages.after.elastic_frequencies, stages.without, strict=True)
+    with_causes, stage_key = stages.with_causes, "beyond" if stages.after is None else "after"
+    spectra = zip(with_causes.elastic_frequencies, stages.without, strict=True)
     partners = [dict(_match_modes(after, without)) for after, without in spectra]
     pose_indices = {
         pose: pose_index for pose_index, pose in enumerate(dict.fromkeys(row.pose for row in result.rows))
     }
     changes = []
     for i, row in enumerate(result.rows):
-        pose_index, mode_index = pose_indices[row.pose], int(stages.after.partner_mode[i]) - 1
-        if row.before is not None and mode_index in partners[pose_index] and not row.outlier:
+        pose_index, mode_index = pose_indices[row.pose], int(with_causes.partner_mode[i]) - 1
+        has_both = row.before is not None and getattr(row, stage_key) is not None and not row.outlier
+        if has_both and mode_index in partners[pose_index]:
             partner = partners[pose_index][mode_index]
             changes.append(
                 (
-                    stages.after.elastic_frequencies[pose_index, mode_index]
+                    with_causes.elastic_frequencies[pose_index, mode_index]
                     - stages.without[pose_index, partner],
                     i,
                 )
@@ -164,10 +166,10 @@ def _effect_on_frequencies(result: Diagnosis) -> list[Cell]:
     sizes = [change for change, _ in changes]
     largest_change, i = max(changes, key=lambda change_and_row: abs(change_and_row[0]))
     row, pose_index = result.rows[i], pose_indices[result.rows[i].pose]
-    mode_count = int(stages.after.partner_mode.max(initial=1))
+    mode_count = int(with_causes.partner_mode.max(initial=1))
     new_frequencies = [
         frequency
-        for mode_index, frequency in enumerate(stages.after.elastic_frequencies[pose_index, :mode_count])
+        for mode_index, frequency in enumerate(with_causes.elastic_frequencies[pose_index, :mode_count])
         if mode_index not in partners[pose_index]
     ]
     verb = "lower" if max(sizes) <= 0.0 else "raise" if min(sizes) >= 0.0 else "change"
@@ -186,13 +188,13 @@ def _effect_on_frequencies(result: Diagnosis) -> list[Cell]:
     return [
         Cell(
             f"In the model {subject} the frequencies of {measured_modes} by up to "
-            f"{plain(abs(largest_change), 2)} Hz{example_start} {stages.after.partner_mode[i]} at"
+            f"{plain(abs(largest_change), 2)} Hz{example_start} {with_causes.partner_mode[i]} at"
         ),
         label_cell(row.pose),
         Cell("goes from"),
         frequency_cell(row.before, pointer("rows", i, "before_hz")),
         Cell("Hz as declared to"),
-        frequency_cell(row.after, pointer("rows", i, "after_hz")),
+        frequency_cell(getattr(row, stage_key), pointer("rows", i, f"{stage_key}_hz")),
         Cell(f"Hz{new_modes_clause}."),
     ]
 

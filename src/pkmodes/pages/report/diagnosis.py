@@ -13,9 +13,11 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.loop.diagnosis.verdict import naming
 from pkmodes.loop.diagnosis.verdict.findings import Finding, with_saved_sigma
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis, parameter_key
+from pkmodes.loop.diagnosis.verdict.terms import TermClass
 from pkmodes.loop.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, VERDICTS, Colour
 from pkmodes.loop.updating.corrected_robot import corrected_robot
-from pkmodes.pages.plots.evidence import PlottedEvidence
+from pkmodes.loop.updating.saved_term import is_declared, robot_with_term, term_to_save
+from pkmodes.pages.plots.evidence import WITH_TERM, PlottedEvidence
 from pkmodes.pages.report import explanations, figures, numbers
 from pkmodes.pages.report.action import recommended_action
 from pkmodes.pages.report.beyond import beyond_blocks
@@ -192,11 +194,9 @@ def _header_facts(result: Diagnosis, context: ReportContext) -> list[tuple[str, 
         else (result.refit, "refitted")
     )
     error_pointers = {name: pointer("error", name) for name in stages}
-    if result.beyond is not None and (term_class := result.beyond.found) and not result.effects:
-        last_stage, name = "beyond", term_class.finding.name
-        stages[last_stage] = term_class.errors[name], "with what was found"
-        member_index = [*term_class.finding.members].index(name)
-        error_pointers[last_stage] = pointer("beyond", "classes", 0, "members", member_index, "error")
+    if (found := numbers.error_with_term(result)) is not None:
+        last_stage, (error, error_pointers["beyond"]) = "beyond", found
+        stages[last_stage] = error, WITH_TERM
     for name, (error, title) in stages.items():
         if error is not None:
             cell = numbers.percent_cell(error.rms_relative, error_pointers[name] + pointer("rms_relative"))
@@ -293,10 +293,11 @@ def _correction_blocks(result: Diagnosis, robot: Robot | None) -> list[Block]:
     """Return what ``--save-robot`` changes in the file, as a difference for `patch`, or why there is none."""
     if robot is None:
         return [Paragraph("The model is not a robot file, so there is no file to correct.")]
-    if not result.settled:
+    term = term_to_save(result)
+    if not result.settled and term is None:
         return [Paragraph(f"No correction: the verdict is {result.verdict}.")]
     try:
-        after = corrected_robot(robot, result)
+        after = corrected_robot(robot, result) if term is None else robot_with_term(robot, result)
     except PkmodesError as error:
         return [Paragraph(f"There is no corrected robot file: {clean(error.what)}.")]
     source = Path(robot.source)
@@ -312,10 +313,21 @@ def _correction_blocks(result: Diagnosis, robot: Robot | None) -> list[Block]:
         Paragraph(
             "What changes in the corrected robot file, as written by --save-robot: the cause where one was "
             f"found, {losses}and the refitted values with their new standard deviations. Comments and order "
-            f"are kept.{choice_notes}"
+            f"are kept.{choice_notes}{_note_on_generating(term)}"
         ),
         TextDifference("Difference of the robot file", lines),
     ]
+
+
+def _note_on_generating(term: TermClass | None) -> str:
+    """Return how the code is generated that reads a file with a term; empty where the file needs no new code."""
+    if term is None or is_declared(term):
+        return ""
+    return (
+        " Its effect is not in the catalogue, so that only a mechanism generated with it reads this file: write the "
+        "effect with --save-effect FILE.py, run pkmodes generate ROBOT.toml --effect FILE.py --out DIR, and give the "
+        "commands --mechanism DIR/<mechanism>."
+    )
 
 
 def _diff_lines(text: str) -> list[str]:

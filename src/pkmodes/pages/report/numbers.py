@@ -7,9 +7,12 @@ import numpy as np
 from pkmodes.core.support.ordering import listed, sorted_labels
 from pkmodes.loop.diagnosis.verdict.findings import MIN_NOTICEABLE_RATIO, Corrected
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis, parameter_key
+from pkmodes.loop.diagnosis.verdict.rows import Error
 from pkmodes.pages.plots import correlations as dependence
 from pkmodes.pages.plots import scores
+from pkmodes.pages.plots.evidence import WITH_TERM
 from pkmodes.pages.report.blocks import Cell, Column, Paragraph, Picture, Table
+from pkmodes.pages.report.certainty import claimed_term_class
 from pkmodes.pages.report.formatting import (
     clean,
     display_unit,
@@ -28,16 +31,18 @@ from pkmodes.pages.report.unmatched import counting_in_words
 
 def error_blocks(result: Diagnosis) -> list[Table | Paragraph]:
     """Return the errors of the stages, over fitted and held-out rows."""
-    stages, rows = result.errors, []
-    for name, (title, error) in stages.items():
-        stage_keys, is_last = ("error", name), name == [*stages][-1]
-        held_out_rms = error.held_out_rms_relative
+    stages = [(title, error, pointer("error", name)) for name, (title, error) in result.errors.items()]
+    if (found := error_with_term(result)) is not None:
+        stages.append((f"after: {WITH_TERM} beyond the catalogue", *found))
+    rows = []
+    for title, error, error_pointer in stages:
+        is_last, held_out_rms = error is stages[-1][1], error.held_out_rms_relative
         rows.append(
             [
                 Cell(title, strong=is_last),
-                percent_cell(error.rms_relative, pointer(*stage_keys, "rms_relative"), is_last),
-                percent_cell(held_out_rms, pointer(*stage_keys, "held_out_rms_relative"), is_last),
-                three_digit_cell(error.chi2_per_dof, pointer(*stage_keys, "chi2_per_dof"), strong=is_last),
+                percent_cell(error.rms_relative, error_pointer + pointer("rms_relative"), is_last),
+                percent_cell(held_out_rms, error_pointer + pointer("held_out_rms_relative"), is_last),
+                three_digit_cell(error.chi2_per_dof, error_pointer + pointer("chi2_per_dof"), strong=is_last),
             ]
         )
     columns = [Column("model", False), Column("rms [%]"), Column("held out [%]")]
@@ -56,6 +61,16 @@ def error_blocks(result: Diagnosis) -> list[Table | Paragraph]:
         full_labels, shown_labels = (listed(texts, 20) for texts in (labels, list(map(clean, labels))))
         blocks.append(Paragraph(f"{intro}{shown_labels}{ending}", plain_text=f"{intro}{full_labels}{ending}"))
     return blocks
+
+
+def error_with_term(result: Diagnosis) -> tuple[Error, str] | None:
+    """Return the errors with what was found beyond the catalogue, and their place in the JSON; None without it."""
+    term_class = claimed_term_class(result)
+    if term_class is None:
+        return None
+    name = term_class.finding.name
+    member_index = [*term_class.finding.members].index(name)
+    return term_class.errors[name], pointer("beyond", "classes", 0, "members", member_index, "error")
 
 
 def _unpaired_paragraphs(result: Diagnosis) -> list[Paragraph]:

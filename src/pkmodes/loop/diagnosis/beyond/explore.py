@@ -6,7 +6,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
+from msgspec import structs
 
+from pkmodes.core.base.numbers import number_or_none
 from pkmodes.loop.diagnosis.beyond.competing_terms import (
     competing_term,
     has_many_alternatives,
@@ -105,8 +107,34 @@ def with_term_result(result: Diagnosis, evidence: TermEvidence | None, catalogue
         # Notes on the fit without the term do not apply to the fit with it.
         term_notes = tuple(notes(evidence.store, evidence.final, adequate=True))
         result = replace(result, next_measurement=None, not_separated=status.nothing_next, notes=term_notes)
-    reason = f"{words}; {result.reason}" if (words := beyond.words()) else result.reason
-    return replace(result, beyond=beyond, reason=reason)
+    result = replace(result, beyond=beyond)
+    if beyond.found is None:
+        return result
+    if not result.effects:
+        name = beyond.found.finding.name
+        fit = next(fit for fit in groups[0] if name_of_explanation(fit) == name)
+        return _with_term_stage(
+            replace(result, reason=f"{beyond.words()}; without it, {result.reason}"), evidence, fit
+        )
+    return replace(result, reason=f"{beyond.words()}; {result.reason}")
+
+
+def _with_term_stage(result: Diagnosis, evidence: TermEvidence, fit: Fit) -> Diagnosis:
+    """Return a diagnosis whose last stage is the model with a term."""
+    assert result.stages is not None
+    predicted = evidence.setups.stage(fit.values).predicted
+    rows = tuple(
+        structs.replace(
+            row,
+            beyond=number_or_none(predicted.frequency[i]),
+            mac=number_or_none(predicted.partner_mac[i]),
+            nearest=number_or_none(predicted.nearest_frequency[i]),
+            nearest_mac=number_or_none(predicted.nearest_mac[i]),
+        )
+        for i, row in enumerate(result.rows)
+    )
+    without_term = evidence.setups.spectrum_without_causes(fit)
+    return replace(result, rows=rows, stages=replace(result.stages, beyond=predicted, without=without_term))
 
 
 def _classes(evidence: TermEvidence, groups: Sequence[Sequence[Fit]]) -> tuple[TermClass, ...]:

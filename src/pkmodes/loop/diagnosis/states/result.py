@@ -169,7 +169,7 @@ def _with_model_errors(row: Row, measured: float, factor: float) -> Row:
     """Return a row with the error that the model has in the trusted state, and the measurement as in its file."""
     scaled = {
         name: None if (value := getattr(row, name)) is None else value * factor
-        for name in ("sigma", "before", "refit", "after", "nearest")
+        for name in ("sigma", "before", "refit", "after", "beyond", "nearest")
     }
     return structs.replace(row, measured=measured, **scaled)
 
@@ -196,7 +196,7 @@ def _stages_with_model_errors(stages: Stages, shared: SharedErrors) -> Stages:
     before = stage(stages.before)
     assert before is not None
     without_causes = None if stages.without is None else spectrum(stages.without)
-    return Stages(before, stage(stages.refit), stage(stages.after), without_causes)
+    return Stages(before, stage(stages.refit), stage(stages.after), without_causes, stage(stages.beyond))
 
 
 def _has_changed(result: Diagnosis) -> bool | None:

@@ -7,7 +7,9 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.numbers import number_or_none
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.match.pairing import Pairer
+from pkmodes.loop.diagnosis.match.predicted import elastic_frequencies_of
 from pkmodes.loop.diagnosis.match.stage import MatchStage
 from pkmodes.loop.diagnosis.problem import Array, Structure
 from pkmodes.loop.diagnosis.verdict.rows import Error, Row, drives_of
@@ -32,6 +34,13 @@ class AllSetups:
     def stage(self, values: Array) -> MatchStage:
         """Return the structure with values of all its parameters."""
         return MatchStage(self.structure, self.data, self.pairer, values)
+
+    def spectrum_without_causes(self, fit: Fit) -> Array:
+        """Return the elastic frequencies at the values of a fit, but with its causes as declared, (S, m) [Hz]."""
+        values = fit.values.copy()
+        index = [i for cause in fit.causes for i in self.fitter.parameter_indices(cause)]
+        values[index] = self.fitter.declared[index]
+        return elastic_frequencies_of(self.stage(values).prediction, self.data)
 
     def declared_error(self, declared: MatchStage, outlying: NDArray[np.bool_]) -> Error:
         """Return the errors of the declared model, without any fit."""

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
-from pkmodes.loop.diagnosis.match.predicted import elastic_frequencies_of
 from pkmodes.loop.diagnosis.match.stage import MatchStage
 from pkmodes.loop.diagnosis.posterior.probabilities import probabilities
 from pkmodes.loop.diagnosis.problem import Array, reached_bounds
@@ -272,12 +271,7 @@ class DiagnosisBuilder:
             stage = setups.stage(fit.values)
             return stage, setups.error(stage, *store.frequency_misfit(fit), outlying)
 
-        declared, spectrum_without_causes = setups.stage(self.fitter.declared), None
-        if causes is not None:
-            index = [i for cause in causes.causes for i in self.fitter.parameter_indices(cause)]
-            values = causes.values.copy()
-            values[index] = self.fitter.declared[index]
-            spectrum_without_causes = elastic_frequencies_of(setups.stage(values).prediction, setups.data)
+        declared = setups.stage(self.fitter.declared)
         return _Models(
             last_fit=last_fit,
             outlying=outlying,
@@ -288,7 +282,7 @@ class DiagnosisBuilder:
             corrected=() if last_fit is None else self.corrected_values(last_fit, candidate_limits),
             shape_scatter=None if last_fit is None else store.shape_scatter(last_fit),
             notes=() if last_fit is None else tuple(notes(store, last_fit, is_settled)),
-            spectrum_without_causes=spectrum_without_causes,
+            spectrum_without_causes=None if causes is None else setups.spectrum_without_causes(causes),
         )
 
     def _result(self, decision: Decision[Any, Answer], models: _Models) -> Diagnosis:

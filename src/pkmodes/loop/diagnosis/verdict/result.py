@@ -46,12 +46,19 @@ class Stages:
 
     - before, refit, after: as declared, with the nuisances refitted, and with the causes
     - without: spectrum of the last model without its causes, at its values, (S, m); None where it has none
+    - beyond: with what was found beyond the catalogue, where the catalogue claims no cause
     """
 
     before: PartnerPredictions
     refit: PartnerPredictions | None
     after: PartnerPredictions | None
     without: Array | None = None
+    beyond: PartnerPredictions | None = None
+
+    @property
+    def with_causes(self) -> PartnerPredictions | None:
+        """The model with its causes, of the catalogue or beyond it; None where none is claimed."""
+        return self.after or self.beyond
 
 
 @dataclass(frozen=True)

@@ -93,6 +93,13 @@ class Row(Place, frozen=True, omit_defaults=True):
     outlier: Annotated[bool, Meta(description="Whether it was set aside.")]
     load: Settings = field(name="set", default_factory=dict)
     level: Level = None
+    beyond: Annotated[
+        float | None,
+        Meta(
+            description="With what was found beyond the catalogue; present only where it was, and the row has a "
+            "partner there."
+        ),
+    ] = field(name="beyond_hz", default=None)
     nearest: Nearest = field(name="nearest_hz", default=None)
     nearest_mac: NearestMac = None
     damping: Annotated[
