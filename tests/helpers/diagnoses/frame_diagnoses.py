@@ -40,7 +40,9 @@ def checked(structure: Any, data: Measurements, holdout: Sequence[str] | None = 
     assert bool(found.survivors) == (found.verdict == "ambiguous")
     assert all(found.reason.count(character) == 0 for character in "\n\t")
     assert [row.line for row in found.rows] == data.lines.tolist()
-    assert not found.unpaired or found.verdict not in ("adequate", "effect_found")
+    # A mode of another shape counts with the nearest mode of the model, and bad shapes may be held out.
+    has_no_mode = [row for row in found.unpaired if row.nearest is None]
+    assert not has_no_mode or found.verdict not in ("adequate", "effect_found")
     for effect in found.effects:
         assert 0.0 <= effect.p_value < 0.05
         assert effect.name in effect.members

@@ -120,6 +120,7 @@ def made_up(
             partner_mode=np.where(lost, 0, mode + 1),
             normalised_differences=np.where(lost, np.nan, np.log(own / frequency) / 0.002),
             partner_mac=np.where(lost, np.nan, macs[np.arange(count), mode]),
+            fitted_mac=np.where(lost, np.nan, macs[np.arange(count), mode]),
             mac_by_mode=macs,
             elastic_frequencies=spectrum,
             nearest_frequency=np.full(count, np.nan),

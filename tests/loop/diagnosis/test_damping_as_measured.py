@@ -121,8 +121,8 @@ def test_the_terminal_prints_it_beside_the_verdict(capsys: pytest.CaptureFixture
     )
 
 
-def with_another_shape() -> tuple[Measurements, int]:
-    """Rails that dissipate, and a row with the shape of another mode of its pose."""
+def with_another_shape(share: float) -> tuple[Measurements, int]:
+    """Rails that dissipate, and a row whose shape is in this share that of another mode of its pose."""
     rows = columns({"rails": 50.0})
     modes = damped_cases._true("published", "free", ())
     names = ("x_1", "x_2", "x_3", "p_x", "p_y", "p_z")
@@ -135,18 +135,26 @@ def with_another_shape() -> tuple[Measurements, int]:
     damping = rows["damping"].copy()
     damping[row] *= 1.2  # not an outlier among the others
     for shape in shapes.values():
-        shape[row] = shape[other]
+        shape[row] += share * (shape[other] - shape[row])
     return made({**rows, "damping": damping}, shapes=shapes), row
 
 
-def test_a_ratio_of_another_shape_is_no_evidence() -> None:
-    data, row = with_another_shape()
+@pytest.mark.parametrize(
+    ("share", "remark"),
+    [
+        (0.85, "the shape is not that of its mode (MAC {:.2f})"),
+        (1.0, "the mode has no partner: the shape is not that of the nearest one (MAC {:.2f})"),
+    ],
+)
+def test_a_ratio_of_another_shape_is_no_evidence(share: float, remark: str) -> None:
+    data, row = with_another_shape(share)
     found = updating.diagnose(robot_of("published"), data, candidates=FEW[:-1])
-    mac = found.rows[row].mac
+    mac = found.rows[row].mac if share < 1.0 else found.rows[row].nearest_mac
     assert mac is not None
     assert mac < 0.7
     assert found.rows[row].damping_used is False
-    assert found.rows[row].damping_remark == f"the shape is not that of its mode (MAC {mac:.2f})"
+    assert found.rows[row].damping_remark == remark.format(mac)
+    assert (found.rows[row].damping_before is None) == (share == 1.0)
     (note,) = (note for note in found.damping.notes if "MAC" in note)
     assert note.startswith(f"the damping of line {found.rows[row].line} is not used")
     assert [cause.name for cause in found.damping.effects] == ["rail_friction"]
@@ -155,7 +163,7 @@ def test_a_ratio_of_another_shape_is_no_evidence() -> None:
 def test_a_comparison_remarks_a_ratio_of_another_shape(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    data, row = with_another_shape()
+    data, row = with_another_shape(0.85)
     robot = robot_of("published")
     compared = updating.compare(robot, data)
     assert [i for i, one in enumerate(compared.rows) if one.shape_differs] == [row]

@@ -100,6 +100,22 @@ def test_a_partner_of_another_shape_is_told_as_none(mac: float, sigma: float, is
     assert np.isnan(answer.nearest_frequency[0])
 
 
+def test_a_shape_that_close_modes_of_the_model_can_form_is_no_other_one() -> None:
+    """Turned by 80 degrees in the plane of two modes 0.2 % apart: the machine's modes are 6 % apart, and theirs."""
+    turn = np.radians(80.0)
+    shapes = np.zeros((2, len(CHANNELS)))
+    shapes[:, :2] = [[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]]
+    data, prediction = measured([9.8, 10.4], shapes), predicted([10.0, 10.02, 60.0, 70.0, 80.0])
+    np.testing.assert_allclose(pair(data, prediction).mac, np.cos(turn) ** 2)
+    answer = told(data, prediction)
+    assert answer.partner_mode.tolist() == [1, 2]
+    np.testing.assert_allclose(answer.partner_mac, 1.0)
+    np.testing.assert_allclose(answer.fitted_mac, np.cos(turn) ** 2)
+    apart = told(data, predicted([10.0, 10.2, 60.0, 70.0, 80.0]))  # 2 %: each shape is its own
+    np.testing.assert_allclose(apart.partner_mac, np.sin(turn) ** 2)
+    assert apart.partner_mode.tolist() == [2, 1]
+
+
 def test_without_shapes_every_partner_is_told() -> None:
     answer = told(measured([10.0, 20.2]), predicted([10.0, 20.0]))
     assert answer.partner_mode.tolist() == [1, 2]

@@ -31,6 +31,7 @@ BEFORE = PartnerPredictions(
     partner_mode=np.array([1, 2, 0, 1, 3]),
     normalised_differences=np.array([2.0, 5.0, NAN, -2.5, 1.5]),
     partner_mac=PAIRS,
+    fitted_mac=PAIRS,
     mac_by_mode=MACS,
     elastic_frequencies=np.array([[102.0, 210.0, 400.0], [98.0, 190.0, 206.0]]),
     nearest_frequency=np.full(5, NAN),

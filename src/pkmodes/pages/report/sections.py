@@ -19,7 +19,8 @@ COMPARISON_TERMS = {
     "rms": "Root mean square of the relative differences.",
     "chi\u00b2 per dof": "Mean square of the differences in \u03c3, per degree of freedom: near 1 for noise of the "
     "stated size. It is that of the modes with a partner; the others have no difference, and are left out.",
-    "MAC": "Modal assurance criterion of a measured shape and a shape of the model: 1 if they are the same.",
+    "MAC": "Modal assurance criterion of a measured shape and a shape of the model, or of all that modes close to "
+    "each other can form: 1 if they are the same.",
     "unmatched": "A measured mode without a partner. Each mode of the model goes with the measured mode to which it "
     f"is nearest in frequency and shape. For this one none is left within {FARTHEST} in frequency, or the one left "
     f"has {OTHER_SHAPE}, by more than the errors of the shape explain.",

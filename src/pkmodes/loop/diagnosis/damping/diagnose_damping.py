@@ -50,13 +50,15 @@ def add_damping_diagnosis(
         structure, data, predicted.partner_mode, _perturbed_values(structure, result), criteria
     )
     # False where no shape was measured, since a comparison with NaN is False.
-    mismatched_shape_mask = predicted.partner_mac[all_rows.index] < criteria.shapes.strange_mac
+    mismatched_shape_mask = predicted.fitted_mac[all_rows.index] < criteria.shapes.strange_mac
+    unmatched_rows = np.flatnonzero(np.isfinite(predicted.nearest_mac) & ~np.isnan(data.damping))
     has_information = informative_mask(all_rows)
     usable_mask = has_information & ~mismatched_shape_mask
     held_out_mask = np.array([row.held_out for row in result.rows])[all_rows.index] & usable_mask
     outlier_mask = np.array([row.outlier for row in result.rows])[all_rows.index]
     fitted_observations = all_rows.select(usable_mask & ~held_out_mask & ~outlier_mask)
-    notes = _notes_on_unusable_rows(data, all_rows, has_information, mismatched_shape_mask, criteria)
+    other_shapes = np.union1d(all_rows.index[mismatched_shape_mask], unmatched_rows)
+    notes = _notes_on_unusable_rows(data, all_rows, has_information, other_shapes, criteria)
     resolved_ratios = fitted_observations.ratio[fitted_observations.resolved_mask]
     median_ratio = float(np.median(resolved_ratios)) if len(resolved_ratios) else 0.0
     if median_ratio > criteria.damping.most:
@@ -88,15 +90,18 @@ def _notes_on_unusable_rows(
     data: Measurements,
     all_rows: DampingObservations,
     has_information: NDArray[np.bool_],
-    mismatched_shape_mask: NDArray[np.bool_],
+    other_shapes: NDArray[np.intp],
     criteria: Criteria,
 ) -> list[str]:
-    """Return notes on the rows without information about the losses, and on those with the shape of another mode."""
+    """Return notes on the rows without information about the losses, and on those with the shape of another mode.
+
+    - other_shapes: indices of the rows whose shapes are not those of the nearest modes
+    """
     notes = []
     if not has_information.all():
         notes.append(words.uninformative_note(data.lines[all_rows.index[~has_information]].tolist()))
-    if mismatched_shape_mask.any():
-        lines = data.lines[all_rows.index[mismatched_shape_mask]].tolist()
+    if len(other_shapes):
+        lines = data.lines[other_shapes].tolist()
         notes.append(words.other_shape_note(lines, criteria.shapes.strange_mac))
     return notes
 

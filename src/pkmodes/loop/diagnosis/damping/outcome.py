@@ -119,7 +119,7 @@ def _rms_factor(log_differences: Array) -> float | None:
 
 def _rows(result: Diagnosis, data: Measurements, stage: DampingStage) -> tuple[Row, ...]:
     """Return every measured mode with its measured damping and that of the model."""
-    all_rows, used_mask = stage.all_rows, stage.used_mask
+    all_rows, used_mask, fitter = stage.all_rows, stage.used_mask, stage.fitter
     rows = list(result.rows)
     for i in np.flatnonzero(~np.isnan(data.damping)).tolist():
         measured, sigma = float(data.damping[i]), float(data.damping_sigma[i])
@@ -128,7 +128,9 @@ def _rows(result: Diagnosis, data: Measurements, stage: DampingStage) -> tuple[R
             damping=measured,
             sigma_damping=sigma,
             damping_used=False,
-            damping_remark="the mode has no partner",
+            damping_remark="the mode has no partner"
+            if rows[i].nearest_mac is None
+            else f"the mode has no partner: the shape is not that of the nearest one (MAC {rows[i].nearest_mac:.2f})",
         )
     before, after = stage.ratios_before_and_after
     comparison_sigma, is_informative = stage.comparison_sigma, informative_mask(all_rows)
@@ -143,7 +145,13 @@ def _rows(result: Diagnosis, data: Measurements, stage: DampingStage) -> tuple[R
             elif not is_informative[k]:
                 remark = "it says nothing about the losses"
             elif stage.mismatched_shape_mask[k]:
-                remark = f"the shape is not that of its mode (MAC {rows[i].mac:.2f})"
+                mac = rows[i].mac or 0.0
+                is_one_mode = mac < fitter.criteria.shapes.strange_mac
+                remark = (
+                    f"the shape is not that of its mode (MAC {mac:.2f})"
+                    if is_one_mode
+                    else "the shape is that of several close modes"
+                )
             else:
                 remark = "the frequency is an outlier" if rows[i].outlier else "set aside"
         rows[i] = structs.replace(

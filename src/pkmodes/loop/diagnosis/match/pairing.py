@@ -150,7 +150,7 @@ class Pairer:
         cost = distance**2
         if shapes is not None:
             single_macs = shapes.single_macs()
-            macs = self._macs_with_close_modes(single_macs, shapes, log_frequencies, is_close_to_next)
+            macs = self._macs_in_groups(prediction, shapes, single_macs)
             shape_distance = _shape_distance(macs, self._explained(shapes)[..., None])
             cost = cost + c.pairing.shape_weight**2 * np.where(np.isnan(macs), 0.0, shape_distance)
         # The assignment may take a mode that is too far away, which is then no partner.  Its cost is constant:
@@ -172,18 +172,33 @@ class Pairer:
             partner_macs = self._macs_of_partners(partners - rigid, unpaired_modes, single_macs, shapes)
         return Pairing(partners, partner_macs)
 
-    def has_other_shape(self, prediction: Prediction, pairing: Pairing) -> NDArray[np.bool_]:
-        """Return whether the partner of each row has another shape, so that the two are told as no pair, (R,).
+    def told(self, prediction: Prediction, pairing: Pairing) -> tuple[Array, NDArray[np.bool_]]:
+        """Return what is told of the partners of a fit, which keeps them: with other shapes they are no pairs.
 
-        A fit and its chi-square keep these partners: without them no step of the fit could bring the shapes together.
+        Without such a partner, no step of a fit could bring its shape and the measured one together.
 
         - pairing: of the same prediction
+
+        Returns, in this order:
+        - MAC with the partner, (R,); where it is low, with the subspace of the partner and the modes close to it,
+          since the smallest error rotates their shapes into each other
+        - whether the partner has another shape, (R,)
         """
         if not len(self.columns):
-            return np.zeros(len(self._log), dtype=bool)
-        explained = self._explained(self._shapes(prediction))[self.pose, self._column]
-        similarity = 1.0 - _shape_distance(pairing.mac, explained)
-        return np.asarray((similarity < MIN_MAC_OF_PAIR) & (pairing.partner >= 0))  # False without a shape
+            return pairing.mac, np.zeros(len(self._log), dtype=bool)
+        shapes = self._shapes(prediction)
+        macs, explained = (
+            self._macs_in_groups(prediction, shapes, shapes.single_macs()),
+            self._explained(shapes),
+        )
+        entry = self.pose, self._column
+        in_group = macs[(*entry, np.maximum(pairing.partner - prediction.rigid, 0))]
+
+        def is_low(mac: Array) -> NDArray[np.bool_]:  # False without a shape
+            return np.asarray(1.0 - _shape_distance(mac, explained[entry]) < MIN_MAC_OF_PAIR)
+
+        told_mac = np.where(is_low(pairing.mac), np.fmax(pairing.mac, in_group), pairing.mac)
+        return told_mac, is_low(told_mac) & (pairing.partner >= 0)
 
     def macs(self, prediction: Prediction) -> Array:
         """Return the MAC of each row with each elastic mode of its setup, (R, m); NaN without a shape."""
@@ -216,10 +231,11 @@ class Pairer:
         explained = explained_difference(shapes.rows, shapes.errors, c.pairing.shape_sigmas)
         return np.minimum(explained, 1.0 - c.shapes.good_mac)
 
-    def _macs_with_close_modes(
-        self, single_macs: Array, shapes: _Shapes, log_frequencies: Array, is_close_to_next: NDArray[np.bool_]
-    ) -> Array:
+    def _macs_in_groups(self, prediction: Prediction, shapes: _Shapes, single_macs: Array) -> Array:
         """Return the MAC of each row with each mode of the model, or with the subspace of the modes close to it."""
+        log_frequencies = prediction.log_frequencies[:, prediction.rigid :]
+        with np.errstate(invalid="ignore"):
+            is_close_to_next = np.diff(log_frequencies, axis=1) < self._criteria.pairing.close
         setups = np.flatnonzero(is_close_to_next.any(axis=1))
         if not len(setups):
             return single_macs

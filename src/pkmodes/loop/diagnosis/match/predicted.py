@@ -20,15 +20,15 @@ PADDING_MULTIPLE = 1e6
 class PartnerPredictions:
     """Predictions of one model for all R measured modes at S setups, with m elastic modes each.
 
-    A partner of another shape is none (`Pairer.has_other_shape`), though it is the one with which a fit compares the
-    mode.
+    A partner of another shape is none (`Pairer.told`), though it is the one with which a fit compares the mode.
 
     - frequency: frequency of the partner, (R,) [Hz], NaN if the mode is unmatched
     - partner_mode: number of the partner among the elastic modes of its setup, from 1, (R,); 0 if unmatched
     - normalised_differences: ln(f_model / f_measured) in standard deviations of the measurement, including its
       position error, (R,); NaN if unmatched
-    - partner_mac: MAC with the partner, or with the subspace of the partners of close modes, (R,); NaN without shape
-      or partner
+    - partner_mac: MAC with the partner, or with a subspace of it and modes close to it, (R,); NaN without shape or
+      partner
+    - fitted_mac: MAC as a fit has it, whose subspace is that of the partners of close rows, (R,); NaN likewise
     - mac_by_mode: MAC with each elastic mode of the setup, (R, m); NaN without shape
     - elastic_frequencies: those of each setup, (S, m) [Hz], ascending; modes that pad a setup are NaN
     - nearest_frequency, nearest_mac: frequency [Hz] and MAC of the nearest mode of the model if that has another
@@ -39,6 +39,7 @@ class PartnerPredictions:
     partner_mode: NDArray[np.intp]
     normalised_differences: Array
     partner_mac: Array
+    fitted_mac: Array
     mac_by_mode: Array
     elastic_frequencies: Array
     nearest_frequency: Array
@@ -53,7 +54,7 @@ class PartnerPredictions:
         - pairing: pairing of all rows
         - sigma: standard deviations of ln f, (R,)
         """
-        has_other_shape = pairer.has_other_shape(prediction, pairing)
+        mac, has_other_shape = pairer.told(prediction, pairing)
         is_paired = (pairing.partner >= 0) & ~has_other_shape
         nearest_logs = prediction.log_frequencies[data.pose, np.maximum(pairing.partner, 0)]
         partner_logs = np.where(is_paired, nearest_logs, np.nan)
@@ -61,11 +62,12 @@ class PartnerPredictions:
             frequency=np.exp(partner_logs),
             partner_mode=np.where(is_paired, pairing.partner - prediction.rigid + 1, 0),
             normalised_differences=(partner_logs - FREQUENCY.transformed(data)) / sigma,
-            partner_mac=np.where(is_paired, pairing.mac, np.nan),
+            partner_mac=np.where(is_paired, mac, np.nan),
+            fitted_mac=np.where(is_paired, pairing.mac, np.nan),
             mac_by_mode=pairer.macs(prediction),
             elastic_frequencies=elastic_frequencies_of(prediction, data),
             nearest_frequency=np.exp(np.where(has_other_shape, nearest_logs, np.nan)),
-            nearest_mac=np.where(has_other_shape, pairing.mac, np.nan),
+            nearest_mac=np.where(has_other_shape, mac, np.nan),
         )
 
 
