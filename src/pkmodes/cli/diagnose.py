@@ -157,7 +157,7 @@ def diagnose(
     from pkmodes.loop import updating  # SciPy is loaded only where it is used
     from pkmodes.loop.measured.statements import parse_prior, parse_usable
     from pkmodes.loop.updating.corrected_robot import corrected_robot
-    from pkmodes.loop.updating.saved_term import effect_text, robot_with_term, term_to_save
+    from pkmodes.loop.updating.saved_term import effect_text, term_to_save
 
     prior_sigmas = dict(
         parse_prior(text, "--prior", "write --prior measurement:offset.z=2mm") for text in priors
@@ -193,7 +193,7 @@ def diagnose(
     nothing_to_save = save_to is not None and not result.settled and term is None
     robot_file = ResultFile(
         None if nothing_to_save else save_to,
-        lambda: robot_with_term(declared_robot, result) if term else corrected_robot(declared_robot, result),
+        lambda: corrected_robot(declared_robot, result),
         lambda file: (
             _saved_term_lines(file, effect_to, term)
             if term

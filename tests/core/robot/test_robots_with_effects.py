@@ -188,6 +188,12 @@ def test_the_command_line_evaluates_effects(tmp_path: Path, capsys: pytest.Captu
             'effects."paylod"',
             'did you mean "payload"?',
         ),
+        (  # as a diagnosis writes it for what it found beyond the catalogue
+            '[effects.mount_carriage_2_y]\ncompliance = "8e-7 m/N"',
+            'unknown effect "mount_carriage_2_y"',
+            'effects."mount_carriage_2_y"',
+            "for an effect of your own, give the mechanism generated with it: --mechanism DIR/<mechanism>",
+        ),
         (
             '[effects.payload]\nmas = "1 kg"',
             'unknown parameter "mas"',

@@ -52,6 +52,13 @@ def follow(capsys: pytest.CaptureFixture[str]) -> None:
         elif block.language == "python":
             assert block.text.strip() in Path("loose_rail.py").read_text(encoding="utf-8")
     assert "worn-delta: unexplained" in printed[0]
+    assert "after: with what was found beyond the catalogue" in printed[0]
+    # The values in the terminal are those of the saved file, not of the fit without the effect.
+    saved_mass = tomllib.loads(Path("worn-delta.toml").read_text(encoding="utf-8"))["platform"]["mass"][
+        "value"
+    ]
+    (mass_line,) = (line for line in printed[0].splitlines() if line.startswith("platform.mass"))
+    assert float(mass_line.split()[2]) == pytest.approx(float(saved_mass.split()[0]), abs=1e-4)
     with Path("worn-delta.toml").open("rb") as file:
         effect = tomllib.load(file)["effects"]["mount_carriage_2_y"]["compliance"]
     value, sigma = (float(effect[key].split()[0]) for key in ("value", "sigma"))

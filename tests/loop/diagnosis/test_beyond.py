@@ -14,10 +14,12 @@ from scipy.linalg import eigh
 
 from helpers.diagnoses.chains import Frame, at, joined
 from helpers.diagnoses.resonators import Resonant, hanging
+from helpers.pages.page_reading import read
 from pkmodes.loop.diagnosis import Diagnosis, MatrixStructure, Measurements, diagnose
 from pkmodes.loop.diagnosis.beyond import term_fits
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.search.score import MAX_DIRECTIONS_CORRELATED, Score, p_of_smallest
+from pkmodes.pages.report import report
 from pkmodes.pages.report.action import recommended_action
 from pkmodes.pages.report.diagnosis import verdict_headline
 from pkmodes.pages.report.report_context import ReportContext
@@ -34,6 +36,29 @@ def of(frame: Frame, change: Change, **options: float) -> Diagnosis:
 def without_errors_of_poses(data: Measurements, factor: np.ndarray) -> Measurements:
     labels = [data.labels[i] for i in data.pose]
     return Measurements.from_rows(labels, data.frequency * factor, data.sigma)
+
+
+def test_what_is_found_is_the_last_stage_of_its_page() -> None:
+    data = FRAME.measured(lambda _: (NOTHING, 2.0e4 * joined(6, 2, 5)))
+    result = diagnose(FRAME.structure(), data, terms=True)
+    content = result.as_json()
+    # Six frequencies at each setup, of masses and springs that the test knows: the noise is 0.15 %.
+    predicted = np.array([row["beyond_hz"] for row in content["rows"]])  # type: ignore[attr-defined]
+    np.testing.assert_allclose(predicted, data.frequency, rtol=5.0 * 0.0015)
+    as_declared = np.array([row["before_hz"] for row in content["rows"]])  # type: ignore[attr-defined]
+    assert np.abs(as_declared / data.frequency - 1.0).max() > 10.0 * 0.0015
+    page = read(report(result, data=data, title="frame"))
+    member = content["beyond"]["classes"][0]["members"][0]  # type: ignore[index]
+    *_, last_row = page.by_id("errors").all("tr")
+    assert "after: with what was found beyond the catalogue" in last_row.text
+    assert float(last_row.all("data")[-1].attributes["value"]) == member["error"]["chi2_per_dof"]
+    assert "model with what was found" in page.by_id("rows").text
+    assert "In the model it raises the frequencies of" in page.by_id("summary").text
+    assert "; without it, the residual is" in result.reason
+    row, stage = result.rows[0], result.stages
+    assert row.after is None  # the catalogue adds nothing
+    assert stage is not None
+    assert stage.after is None
 
 
 @pytest.mark.parametrize(

@@ -24,6 +24,9 @@ FORMAT = 1
 HEAD_KEYS = ("format", "name", "mechanism", GRAVITY.name)
 #: Key before the tables that says how the machine is used.
 STATE_OF_MOTORS = "drives"
+OWN_EFFECT_REMEDY = (
+    "for an effect of your own, give the mechanism generated with it: --mechanism DIR/<mechanism>"
+)
 NUMBER_WORDS = ("no", "one", "two", "three", "four", "five", "six")
 
 T = TypeVar("T")
@@ -158,7 +161,8 @@ class Tables:
                 )
             elif name not in applicable:
                 problem = f"unknown effect {shown(name)}"
-                self.problem(f"{EFFECTS}.{shown(name)}", problem, nearest_name(name, applicable))
+                known = f"known: {', '.join(applicable)}; {OWN_EFFECT_REMEDY}"
+                self.problem(f"{EFFECTS}.{shown(name)}", problem, nearest_name(name, applicable, known))
             elif not isinstance(table, dict):
                 self.problem(path, f"expected a table, found {shown(table)}", f"write a table [{path}]")
             else:

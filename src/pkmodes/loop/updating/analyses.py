@@ -21,6 +21,13 @@ from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.updating.changes import changed
 from pkmodes.loop.updating.measured_robot import MeasuredRobot
 
+#: For a robot file whose values have the errors of an earlier fit.
+REFITTED_NOTE = (
+    "the robot file has values with the errors of an earlier fit ([[covariance]]): if that fit had these same "
+    "measurements, they count twice, and the standard deviations after this one are too small, by up to a factor of "
+    "1.4"
+)
+
 
 def compare(robot: Robot | Model, data: Measurements) -> Comparison:
     """Compare predictions with measurements, without any fit.
@@ -131,7 +138,10 @@ def diagnose(
         )
     measured = MeasuredRobot.of(robot, data).where_usable()
     structure = measured.structure(candidates, priors)
-    return diagnosis.diagnose(structure, measured.data, holdout=holdout, progress=progress, terms=terms)
+    result = diagnosis.diagnose(structure, measured.data, holdout=holdout, progress=progress, terms=terms)
+    if not measured.robot.covariance or not result.corrected:
+        return result
+    return replace(result, notes=(*result.notes, REFITTED_NOTE))
 
 
 @one_blas_thread()

@@ -108,13 +108,16 @@ def widened_values(diagnosis: Diagnosis) -> list[Corrected]:
 def corrected_robot(robot: Robot | Model, diagnosis: Diagnosis) -> str:
     """Return the text of the corrected robot file; comments and order of the original are kept.
 
-    If a class has several causes, the first one, which names it, is written.
+    If a class has several causes, the first one, which names it, is written.  Where the verdict leaves nothing to
+    correct, it is the file with what was found beyond the catalogue.
 
     - robot: the diagnosed robot, read from a file
     - diagnosis: from `diagnose`
 
     Raises PkmodesError if there is nothing to correct, or the robot was not read from a file.
     """
+    if term_to_save(diagnosis) is not None:
+        return robot_with_term(_robot_from_file(robot), diagnosis)
     robot = _correctable_robot(robot, diagnosis, "corrected_robot")
     return corrected_text(Path(robot.source), corrections(robot, diagnosis), covariance(robot, diagnosis))
 

@@ -16,7 +16,7 @@ from pkmodes.loop.diagnosis.verdict.result import Diagnosis, parameter_key
 from pkmodes.loop.diagnosis.verdict.terms import TermClass
 from pkmodes.loop.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, VERDICTS, Colour
 from pkmodes.loop.updating.corrected_robot import corrected_robot
-from pkmodes.loop.updating.saved_term import is_declared, robot_with_term, term_to_save
+from pkmodes.loop.updating.saved_term import is_declared, term_to_save
 from pkmodes.pages.plots.evidence import WITH_TERM, PlottedEvidence
 from pkmodes.pages.report import explanations, figures, numbers
 from pkmodes.pages.report.action import recommended_action
@@ -297,7 +297,7 @@ def _correction_blocks(result: Diagnosis, robot: Robot | None) -> list[Block]:
     if not result.settled and term is None:
         return [Paragraph(f"No correction: the verdict is {result.verdict}.")]
     try:
-        after = corrected_robot(robot, result) if term is None else robot_with_term(robot, result)
+        after = corrected_robot(robot, result)
     except PkmodesError as error:
         return [Paragraph(f"There is no corrected robot file: {clean(error.what)}.")]
     source = Path(robot.source)

@@ -101,6 +101,8 @@ def fitted_value_tables(result: Diagnosis, context: ReportContext) -> list[Table
     corrected = _corrected_values(result)
     if not corrected:
         return [Paragraph("No value was uncertain, and none was fitted.")]
+    term_class = claimed_term_class(result)
+    term_values = set() if term_class is None else {value.name for value in term_class.finding.parameters}
     has_widened = any(value.saved_sigma > MIN_NOTICEABLE_RATIO * value.sigma for value in corrected)
     rows = []
     for value in corrected:  # its numbers are in the JSON under refitted, or with the cause
@@ -115,6 +117,9 @@ def fitted_value_tables(result: Diagnosis, context: ReportContext) -> list[Table
             if any(parameter.name == value.name for parameter in effect.parameters):
                 role, cause_keys = "cause", ("effects", i, "parameters", parameter_key(value))
                 after, sigma, saved = (pointer(*cause_keys, key) for key in ("value", "sigma", "saved_sigma"))
+        if term_class is not None:  # whose fit gives these values; the JSON has those of the fit without it
+            after, sigma, saved = "", "", ""
+            role = "cause" if value.name in term_values else role
         unit, scale = display_unit(value.unit, value.declared, value.value)
         rows.append(
             [
@@ -149,6 +154,9 @@ def fitted_value_tables(result: Diagnosis, context: ReportContext) -> list[Table
 
 
 def _corrected_values(result: Diagnosis) -> list[Corrected]:
+    """Return the values of the last fit: with what was found beyond the catalogue if that is the cause."""
+    if (term_class := claimed_term_class(result)) is not None:
+        return [*term_class.corrected]
     loss_names = {value.name for value in result.damping.refitted}  # the damping says more of them
     return [value for value in result.corrected if value.name not in loss_names]
 
@@ -178,8 +186,8 @@ def pull_pictures(result: Diagnosis, context: ReportContext) -> list[Picture]:
 def correlation_pictures(result: Diagnosis) -> list[Picture]:
     """Return the figures of the correlations of the fitted values; empty for fewer than two values."""
     values, correlation = _corrected_values(result), np.array(result.correlation)
-    if len(correlation) != len(result.corrected):
-        return []
+    if len(correlation) != len(result.corrected) or claimed_term_class(result) is not None:
+        return []  # a fit with a term keeps none
     indices = [k for k, corrected_value in enumerate(result.corrected) if corrected_value in values]
     matrix = correlation[np.ix_(indices, indices)] if indices else correlation
     figure, ellipses = (
