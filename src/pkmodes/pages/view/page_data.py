@@ -41,6 +41,7 @@ def scene_data(scene: Scene) -> dict[str, Any]:
         "vertical": _round_nested(scene.vertical, 6),
         "pose": [{"name": c.name, "unit": c.unit} for c in scene.pose],
         "components": list(scene.moves),
+        "bodies": list(scene.bodies),
         "elements": [
             {
                 "shape": element.shape,
@@ -70,6 +71,7 @@ def scene_data(scene: Scene) -> dict[str, Any]:
         "measured": measured_data(scene),
         "points": _round_nested(scene.points.reshape(len(scene.poses), -1), POSITION_DECIMALS),
         "frequencies": _round_nested(scene.frequencies, 4),
+        "sigmas": None if scene.sigmas is None else _rounded_sigmas(scene.sigmas),
         "moved": _round_nested(displacements, MOTION_DECIMALS),
         "turned": _round_nested(rotations, MOTION_DECIMALS),
         "shares": [
@@ -111,6 +113,11 @@ def _displacements_and_rotations(scene: Scene, turning_coordinates: list[str]) -
     shapes = scene.shapes * scales[:, :, None]
     displacements = np.einsum("pbcn,pmn->pmbc", scene.motions, shapes).reshape(count, modes, -1)
     return displacements, shapes[:, :, [scene.coordinates.index(name) for name in turning_coordinates]]
+
+
+def _rounded_sigmas(sigmas: Array) -> list[list[float | None]]:
+    """Return standard deviations with six digits; None where there is none."""
+    return [[float(f"{sigma:.6g}") if sigma > 0.0 else None for sigma in row] for row in sigmas.tolist()]
 
 
 def _surface_data(scene: Scene, surface: Surface | None) -> dict[str, Any] | None:

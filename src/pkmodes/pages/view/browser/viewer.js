@@ -201,7 +201,7 @@ class Viewer {
   }
 
   refresh() {
-    this.panel.showMotion(this.state.frequencies[this.mode], this.amplitude);
+    this.panel.showMotion(this.state.shares[this.mode] ? this.state.frequencies[this.mode] : 0, this.amplitude);
     this.draw();
   }
 
@@ -219,7 +219,7 @@ class Viewer {
     };
     if (!this.stage || !actions[event.key] || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
-    this.viewTurned = event.key !== "Home" && event.key !== "0";
+    if (event.key !== " ") this.viewTurned = event.key !== "Home" && event.key !== "0";
     actions[event.key]();
   }
 
