@@ -110,12 +110,12 @@ def map_(options: MapOptions) -> None:
     content = summary_of(dataset, None if out is None else str(out)).as_json()
 
     def page() -> str:
-        from pkmodes.pages.report.map import map_report, middle_pose
+        from pkmodes.pages.report.map import cursor_pose, map_report
         from pkmodes.pages.report.map_planes import section_of
         from pkmodes.pages.report.model_view import view_of
 
         section = section_of(model, dataset)
-        start = middle_pose(model, dataset, section.plane)
+        start = cursor_pose(model, dataset, section.plane)
         view = view_of(model, start=start, drives=content["drives"])
         return map_report(model, dataset, content, sources, view, section, path)
 
