@@ -121,20 +121,9 @@ class Stage {
     return { centre: low.clone().add(high).divideScalar(2), extent: high.clone().sub(low), lowest };
   }
 
-  // Look at a flat robot along its normal, at any other from the front, a little from above and from the right.
+  // Look from the direction of the still pictures.
   resetView() {
-    const { extent } = this.bounds(), [side, front] = this.horizontalDirections();
-    const sizes = ["x", "y", "z"].map((k) => extent[k]), thinnest = sizes.indexOf(Math.min(...sizes));
-    const isFlat = sizes[thinnest] < 0.15 * Math.max(...sizes), normal = new T.Vector3().setComponent(thinnest, 1);
-    const direction = new T.Vector3();
-    if (isFlat && Math.abs(normal.dot(this.vertical)) > 0.9) {
-      direction.copy(this.vertical).addScaledVector(front, -0.9).addScaledVector(side, 0.14);
-    } else if (isFlat) {
-      direction.copy(normal).addScaledVector(this.vertical, 0.18).addScaledVector(side, 0.25);
-    } else {
-      direction.copy(front).multiplyScalar(-1).addScaledVector(side, 0.75).addScaledVector(this.vertical, 0.5);
-    }
-    this.fitCamera(direction.normalize());
+    this.fitCamera(new T.Vector3(...this.data.towards).normalize());
     this.controls.update();
     this.dirty = true;
   }
