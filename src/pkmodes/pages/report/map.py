@@ -12,7 +12,7 @@ import numpy as np
 from pkmodes.core.robot.declaration import changeable_units
 from pkmodes.core.support.motors import motors_in_words
 from pkmodes.machine.maps.left_out import without_unrepresentative
-from pkmodes.machine.maps.spread import spread_along
+from pkmodes.machine.maps.spread import spread_along, typical_spread
 from pkmodes.machine.maps.summary import summary_of
 from pkmodes.pages.figures.pictures import pictures
 from pkmodes.pages.plots import sweeps
@@ -86,7 +86,9 @@ def map_report(
         If the libraries of the extra ``report`` are not installed.
     """
     need_report()
-    content = summary_of(dataset, None).as_json() if content is None else content
+    if content is None:
+        sigmas = typical_spread(model.robot, dataset, model.max_condition)
+        content = summary_of(dataset, None, sigmas).as_json()
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
     section = section_of(model, dataset) if section is None else section
     explorer = interactive_map(
@@ -105,7 +107,7 @@ def map_report(
         origin_section(sources, model.mechanism, origin_facts, str(dataset.attrs["version"])),
     ]
     return page(
-        summary_of_map(model, content),
+        summary_of_map(model, content, path),
         [replace(section, folded=section.html_id in FOLDED_SECTIONS) for section in sections],
     )
 
