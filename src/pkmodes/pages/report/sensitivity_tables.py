@@ -104,7 +104,7 @@ def _headline(
             f"{_change_text(percent, index, modes)} of the frequency for +1 %"
         )
     clauses = [
-        f"{_quantity_text(model, percent, index)}: {_change_text(percent, index, modes)} of "
+        f"{_quantity_text(model, percent, index, with_paths=False)}, {_change_text(percent, index, modes)} of "
         f"{_modes_text(percent, modes)}"
         for index, modes in strongest[:MAX_NAMED]
     ]
@@ -119,12 +119,15 @@ def _opening(subject: str, chosen_only: bool) -> str:
     return f"Of the chosen quantities, {subject}" if chosen_only else subject[0].upper() + subject[1:]
 
 
-def _quantity_text(model: Model, percent: Changes, index: int) -> str:
-    """Return a quantity in words with its path; several where they act as one."""
+def _quantity_text(model: Model, percent: Changes, index: int, *, with_paths: bool = True) -> str:
+    """Return a quantity in words; several where they act as one.
+
+    - with_paths: whether paths stand beside the words
+    """
     names = []
     for path in map(clean, percent.names[index]):
         words = clean(meaning_of(model.robot.mechanism, path))
-        names.append(f"the {words} ({path})" if words else path)
+        names.append(f"the {words} ({path})" if words and with_paths else words or path)
     return " or ".join(names)
 
 
