@@ -20,7 +20,7 @@ MAX_BARS, MAX_COLUMNS, MAX_PANELS = 10, 2, 6
 #: Names longer than this are split before their last part.
 MAX_NAME_LENGTH = 24
 #: Height of a bar with its spacing, of a line of its label, and of the space around the bars of a panel [inch].
-BAR_PITCH, LABEL_LINE, PANEL_PADDING = 0.23, 0.13, 0.6
+BAR_PITCH, LABEL_LINE, PANEL_PADDING = 0.23, 0.13, 0.75
 #: Length of the shortest bar that is drawn, as a fraction of the longest.
 MIN_BAR_FRACTION = 1e-3
 #: Length of the axis relative to the longest bar.
