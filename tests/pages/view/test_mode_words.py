@@ -9,7 +9,7 @@ import pytest
 import pkmodes
 from helpers.pages.browser import opened
 from pkmodes.pages.view import page, poses_around
-from pkmodes.pages.view.mode_words import frequency_text, motion_text
+from pkmodes.pages.view.mode_words import energy_text, frequency_text, motion_text
 
 HEXAPOD_POSE = [0.0, 0.0, 0.26, 0.0, 0.0, 0.0]
 BODIES, SIX = ("platform",) * 6, ("x", "y", "z", "about x", "about y", "about z")
@@ -109,3 +109,23 @@ def test_space_does_not_stop_the_view_from_fitting_the_window(tmp_path: Path) ->
         for key, expected in ((" ", False), ("ArrowLeft", True), (" ", True), ("Home", False)):
             seen.page.keyboard.press(key)
             assert seen.page.evaluate(turned) == expected
+
+
+def test_modes_of_one_frequency_are_said_to_mix(tmp_path: Path) -> None:
+    """On its axis of symmetry, a delta vibrates sideways in any direction: the two shapes drawn are examples."""
+    scene = poses_around(pkmodes.load("robots/clavel-delta.toml"), [0.0, 0.0, -0.52])
+    file = tmp_path / "page.html"
+    file.write_text(page(scene), encoding="utf-8")
+    expected = {
+        3: "; mode 2 has the same frequency: any mixture is a mode, too",
+        4: "; mode 1 has the same frequency: any mixture is a mode, too",
+        5: "",
+    }
+    with opened(file, java_script_enabled=False) as seen:
+        assert text_of(seen, "held").endswith(expected[3])
+    with opened(file) as seen:
+        for mode, end in expected.items():
+            seen.page.locator(f'[data-part="mode"][value="{mode}"]').check()
+            text = text_of(seen, "held")
+            assert text == energy_text(scene, scene.chosen, mode)
+            assert text.partition(";")[2] == end.removeprefix(";")

@@ -12,6 +12,8 @@ from pkmodes.pages.view.scene import Scene
 
 #: Shares of the strain energy that differ by less count as equal, as in panel.js.
 EQUAL_SHARE_TOLERANCE = 0.0005
+#: Relative difference of frequencies that are one, as in panel.js: those of the page have four decimals.
+SAME_FREQUENCY = 1e-5
 #: What the frequency of a motion is that strains no spring, and of a mode that diverges instead of vibrating.
 RIGID_FREQUENCY, UNSTABLE = "0 Hz", "unstable"
 #: Maximum number of decimals of a frequency beside its standard deviation, and without one.
@@ -60,7 +62,24 @@ def energy_text(scene: Scene, pose: int, mode: int) -> str:
         if share > largest - EQUAL_SHARE_TOLERANCE
     )
     spring_names = f"each of {', '.join(preceding)} and {last}" if preceding else last
-    return f"{100 * largest:.0f} % of the strain energy in {spring_names}"
+    text = f"{100 * largest:.0f} % of the strain energy in {spring_names}"
+    return text + coincidence_text(scene.frequencies[pose].tolist(), scene.rigid_modes, mode)
+
+
+def coincidence_text(frequencies: Sequence[float], rigid: int, mode: int) -> str:
+    """Return which vibration modes have the frequency of one: their shapes are then only examples; empty for none."""
+    tolerance = SAME_FREQUENCY * abs(frequencies[mode])
+    partners = [
+        str(k - rigid + 1)
+        for k in range(rigid, len(frequencies))
+        if k != mode and abs(frequencies[k] - frequencies[mode]) <= tolerance
+    ]
+    if not partners:
+        return ""
+    modes = f"mode{'s' if len(partners) > 1 else ''} {joined(partners)}"
+    return (
+        f"; {modes} {'have' if len(partners) > 1 else 'has'} the same frequency: any mixture is a mode, too"
+    )
 
 
 def motion_text(bodies: Sequence[str], components: Sequence[str], direction: Sequence[float]) -> str:

@@ -32,6 +32,17 @@ function motionText(bodies, components, direction) {
   }).join("; ");
 }
 
+// Which vibration modes have the frequency of one, as in mode_words.py: their shapes are then only examples.
+function coincidenceText(frequencies, rigid, mode) {
+  const tolerance = SAME_FREQUENCY * Math.abs(frequencies[mode]);
+  const partners = frequencies.map((_, k) => k).filter(
+    (k) => k >= rigid && k !== mode && Math.abs(frequencies[k] - frequencies[mode]) <= tolerance,
+  ).map((k) => k - rigid + 1);
+  if (!partners.length) return "";
+  const isOne = partners.length === 1, numbers = isOne ? partners[0] : `${partners.slice(0, -1).join(", ")} and ${partners.at(-1)}`;
+  return `; mode${isOne ? "" : "s"} ${numbers} ${isOne ? "has" : "have"} the same frequency: any mixture is a mode, too`;
+}
+
 // What gravity makes of a motion that strains no spring.
 function gravityText(frequency) {
   if (Math.abs(frequency) < 0.005) return "";
@@ -69,6 +80,8 @@ function formatFixed(value, digits) {
 const EQUAL_SHARE_TOLERANCE = 0.0005;
 // The frequency of a motion that strains no spring, as in mode_words.py.
 const RIGID_FREQUENCY = "0 Hz";
+// Relative difference of frequencies that are one, as in mode_words.py.
+const SAME_FREQUENCY = 1e-5;
 // Amplitude, as a share of the robot's size, from which a note explains the exaggeration.
 const LARGE_AMPLITUDE = 0.1;
 
@@ -159,7 +172,8 @@ class Panel {
     const number = mode - data.rigid + 1, shares = state.shares[mode];
     const name = number > 0 ? `Mode ${number}` : `Rigid-body motion ${mode + 1}`;
     const motion = motionText(data.bodies, data.components, state.directions[mode]);
-    const sharesText = shares ? largestSharesText(shares, data.springs) : "no spring is strained";
+    const sameText = state.exact && number > 0 ? coincidenceText(state.frequencies, data.rigid, mode) : "";
+    const sharesText = shares ? largestSharesText(shares, data.springs) + sameText : "no spring is strained";
     const frequencyText = this.frequencyText(state, mode, true);
     this.find("title").textContent = `${name}: ${frequencyText}`;
     this.find("held").textContent = sharesText;
