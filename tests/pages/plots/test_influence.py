@@ -117,7 +117,7 @@ def test_one_parameter_everywhere_is_a_sentence() -> None:
     assert same == "At every pose each frequency changes most with belt.width, of 3 parameters."
     assert other == (
         "At every pose the frequencies change most with the same ones of 3 parameters: that of mode 1 with "
-        "belt.width, that of mode 2 with link.length."
+        "belt.width; that of mode 2 with link.length."
     )
 
 

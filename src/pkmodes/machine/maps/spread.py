@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 #: Approximate number of poses of which a median of standard deviations is taken.
-SPREAD_POSES = 400
+SPREAD_POSES = 2_000
 
 
 def spread_along(robot: Robot, dataset: xarray.Dataset, dim: str, max_condition: float) -> Array | None:

@@ -157,7 +157,7 @@ def frequency_uncertainty(spread: NDArray[Any] | None) -> str:
     conjunction = "and" if len(spread) == 2 else "to"
     modes = "" if len(spread) == 1 else f" of modes 1 {conjunction} {len(spread)}"
     text = f" From the standard deviations in the robot file, the frequencies{modes} are known to {uncertainties} Hz"
-    return f"{text} (median)."
+    return f"{text} (median over the plane)."
 
 
 def rotation_factor_sentence(lengths: NDArray[Any] | None) -> str:

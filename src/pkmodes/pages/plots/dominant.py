@@ -138,7 +138,7 @@ def _same_everywhere_sentence(paths: Sequence[str], sets: Sequence[tuple[int, ..
     tie_note = tolerance if any(len(indices) > 1 for indices in members) else ""
     if len(set(names)) == 1:
         return f"At every pose each frequency changes most with {names[0]}{tie_note}, of {len(paths)} parameters."
-    clauses = ", ".join(f"that of mode {mode} with {name}" for mode, name in enumerate(names, 1))
+    clauses = "; ".join(f"that of mode {mode} with {name}" for mode, name in enumerate(names, 1))
     return (
         f"At every pose the frequencies change most with the same ones of {len(paths)} parameters: "
         f"{clauses}{tie_note}."
