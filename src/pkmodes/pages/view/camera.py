@@ -119,7 +119,7 @@ def _cover(element: Element, points: Array) -> tuple[Array, Array] | None:
     )
     if area < 1e-3 * float(np.ptp(corners, axis=0).max()) ** 2:
         return None  # seen from its edge
-    return outline, np.linalg.lstsq(columns, corners[:, 2], rcond=None)[0]
+    return outline, np.asarray(np.linalg.lstsq(columns, corners[:, 2], rcond=None)[0], dtype=float)
 
 
 def _is_inside(points: Array, polygon: Array) -> NDArray[np.bool_]:
