@@ -140,7 +140,7 @@ def range_table(model: Model, content: dict[str, Any]) -> Table:
     for i, mode in enumerate(content["modes"]):
         cells = [Cell(str(mode["mode"])), *(_frequency_cell(mode, i, key) for key in QUANTILES)]
         if has_sigmas:
-            cells.append(number_cell(mode["sigma_hz"], ".2g", pointer("modes", i, "sigma_hz")))
+            cells.append(_sigma_cell(mode, i))
         for end in ("minimum", "maximum"):
             extreme_pose = mode[f"{end}_at"] or {}
             cells.append(_frequency_cell(mode, i, f"{end}_hz"))
@@ -168,6 +168,14 @@ def range_table(model: Model, content: dict[str, Any]) -> Table:
 def _frequency_cell(mode: dict[str, Any], index: int, key: str) -> Cell:
     value = mode[key]
     return frequency_cell(value, pointer("modes", index, key))
+
+
+def _sigma_cell(mode: dict[str, Any], index: int) -> Cell:
+    """Return the standard deviation of a frequency with two digits, as the headline has it."""
+    sigma = mode["sigma_hz"]
+    if not sigma:
+        return number_cell(None)
+    return Cell(round_to_sigma(mode["median_hz"], sigma).sigma, sigma, pointer("modes", index, "sigma_hz"))
 
 
 def _pose_cell(coordinate: Any, factor: float) -> Cell:
