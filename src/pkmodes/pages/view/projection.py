@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 #: Shapes of elements whose outlines enclose an area.
 AREA_SHAPES = ("wheel", "plate")
 #: Azimuth and elevation from which robots are seen, and flat ones that move in a plane [deg].
-AZIMUTH, ELEVATION = -57.0, 20.0
+AZIMUTH, ELEVATION = -60.0, 18.0
 FLAT_AZIMUTH, FLAT_ELEVATION = -81.0, 48.0
 #: A robot is flat whose height is below this fraction of its size.
 FLAT_FRACTION = 0.2
