@@ -250,15 +250,16 @@ class Stage {
     const importances = new Map();  // largest share of the strain energy of the springs that a label names
     for (const e of this.data.elements.filter((element) => element.spring >= 0)) {
       const indices = e.shape === "wheel" ? e.points.slice(0, 1) : e.points;
-      importances.set(e.name, Math.max(importances.get(e.name) || 0, shares ? shares[e.spring] : 0));
+      const spring = this.data.springs[e.spring], label = e.name.endsWith(spring) ? spring : e.name; // as in the table
+      importances.set(label, Math.max(importances.get(label) || 0, shares ? shares[e.spring] : 0));
       for (const p of indices.map((i) => pointAt(points, i))) {
-        const isOutermost = !positions.has(e.name) || p.distanceTo(centre) > positions.get(e.name).distanceTo(centre) + 1e-9;
-        if (isOutermost) positions.set(e.name, p);
+        const isOutermost = !positions.has(label) || p.distanceTo(centre) > positions.get(label).distanceTo(centre) + 1e-9;
+        if (isOutermost) positions.set(label, p);
       }
     }
     positions.forEach((position, name) => {
       position.addScaledVector(position.clone().sub(centre).normalize(), 0.05 * this.data.size);
-      this.labels.add(Object.assign(labelSprite(name, this.palette, position), { importance: importances.get(name) }));
+      this.labels.add(Object.assign(labelSprite(name, this.palette, position), { name, importance: importances.get(name) }));
     });
   }
 
