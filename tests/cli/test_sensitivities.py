@@ -290,5 +290,5 @@ def test_motors_are_held_if_asked() -> None:
     np.testing.assert_array_equal(found["frequency_derivatives"], expected.frequencies)
     assert (found["drives"], found["rigid_modes"]) == ("held", 0)
     out = sensitivities(*some)
-    assert "At [0.6, 0.03, -0.245] m, motors held;" in " ".join(out.split())
+    assert "At x = 600 mm, y = 30 mm, z = -245 mm, motors held;" in " ".join(out.split())
     assert "No frequency depends on motor.inertia.\n" in out

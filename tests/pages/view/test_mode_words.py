@@ -76,7 +76,9 @@ def test_the_program_tells_motions_as_the_page_does_and_rigid_ones_at_zero(tmp_p
         labels = seen.page.evaluate(
             "document.querySelector('.pkview').viewer.stage.labels.children.map((label) => label.name)"
         )
-        assert sorted(labels) == [f"leg {k}" for k in range(1, 7)] == [spring.name for spring in scene.springs]
+        assert (
+            sorted(labels) == [f"leg {k}" for k in range(1, 7)] == [spring.name for spring in scene.springs]
+        )
         numbers = seen.page.locator('[data-part="frequency"]').all_text_contents()
         assert not any(number.startswith("\u2212") for number in numbers)
         assert numbers.count("0 Hz") == 6

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pkmodes.core.base.numbers import format_signed, plain
-from pkmodes.core.mechanism.poses import format_pose
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.support.motors import motors_in_words
 from pkmodes.core.support.ordering import joined
@@ -26,6 +25,7 @@ from pkmodes.pages.report.formatting import (
     number_cell,
     plural,
     pointer,
+    pose_in_words,
     quantity_cell,
     rounded_cell,
     shorten,
@@ -66,7 +66,7 @@ def sensitivities_summary(
         is_tie = len(strongest) > 1 or len(strongest[0][1]) > 1
         tie_note = f"; changes within {plain(100 * TIE_FRACTION)} % of it count as alike" if is_tie else ""
         reason = f"The largest change of any frequency for one per cent of a quantity{tie_note}. "
-    pose_text = format_pose(model.mechanism, np.array(content["pose"]), "g").replace("-", MINUS)
+    pose_text = pose_in_words(model.mechanism, content["pose"])
     motors, facts, rigid = motors_in_words(model.robot, content["drives"]), [], content["rigid_modes"]
     for mode, frequency in enumerate(percent.frequencies.tolist()):
         frequency_sigma = 0.0 if sigma is None or sigma.combined is None else float(sigma.combined[mode])
