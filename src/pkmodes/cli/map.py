@@ -105,17 +105,19 @@ def map_(options: MapOptions) -> None:
             progress=_progress_reporter(),
             **options.call_arguments(),
         )
+    from pkmodes.machine.maps.spread import typical_spread
     from pkmodes.machine.maps.summary import summary_of
 
-    content = summary_of(dataset, None if out is None else str(out)).as_json()
+    sigmas = typical_spread(model.robot, dataset, model.max_condition)
+    content = summary_of(dataset, None if out is None else str(out), sigmas).as_json()
 
     def page() -> str:
-        from pkmodes.pages.report.map import map_report, middle_pose
+        from pkmodes.pages.report.map import cursor_pose, map_report
         from pkmodes.pages.report.map_planes import section_of
         from pkmodes.pages.report.model_view import view_of
 
         section = section_of(model, dataset)
-        start = middle_pose(model, dataset, section.plane)
+        start = cursor_pose(model, dataset, section.plane)
         view = view_of(model, start=start, drives=content["drives"])
         return map_report(model, dataset, content, sources, view, section, path)
 
@@ -124,7 +126,7 @@ def map_(options: MapOptions) -> None:
         from pkmodes.pages.report.map_summary import range_table, summary_of_map
 
         terminal = Terminal()
-        terminal.result(summary_of_map(model, content), range_table(model, content))
+        terminal.result(summary_of_map(model, content, path), range_table(model, content))
         if content["file"]:
             terminal.line()
             terminal.heading(f"wrote {content['file']}")

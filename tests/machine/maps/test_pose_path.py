@@ -33,6 +33,20 @@ def test_a_path_has_equal_distances_and_its_corners() -> None:
     assert np.diff(path.distance).max() == pytest.approx(3.5)
 
 
+def test_its_labels_have_the_digits_that_tell_its_steps_apart() -> None:
+    """Steps of 3.5 mm need a tenth; a corner 0.02 mm beside another pose a hundredth."""
+    mechanism = pkmodes.load(ROBOT).mechanism
+    path = PosePath.through(mechanism, CORNERS)
+    assert path.poses.labels[:3] == ("0.0 mm", "3.5 mm", "7.0 mm")
+    near = PosePath.through(mechanism, [[0.4, 0.0, -0.245], [0.43502, 0.0, -0.245], [0.75, 0.0, -0.245]])
+    assert {"35.00 mm", "35.02 mm"} <= set(near.poses.labels)
+
+
+def test_the_head_of_its_map_names_the_path(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["map", ROBOT, "--path", "0.4,0,-0.245;0.7,0,-0.245;0.7,0.04,-0.215"]) == 0
+    assert "102 poses along a path of 350 mm." in " ".join(capsys.readouterr().out.split())
+
+
 @pytest.mark.parametrize(
     ("corners", "message"), [(CORNERS[:1], "at least two poses"), ([CORNERS[0]] * 2, "are equal")]
 )

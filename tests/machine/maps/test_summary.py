@@ -12,8 +12,9 @@ import pkmodes
 from pkmodes.machine.maps import dataset
 from pkmodes.machine.maps.left_out import exclusion_sentences
 from pkmodes.machine.maps.quantiles import quantiles
+from pkmodes.machine.maps.spread import typical_spread
 from pkmodes.machine.maps.summary import quantiles_sentence, summary_of
-from pkmodes.pages.report.map_summary import _headline
+from pkmodes.pages.report.map_summary import _headline, range_table
 
 PUBLISHED = Path(__file__).parents[3] / "robots" / "linear-delta-2022.toml"
 
@@ -145,3 +146,35 @@ def test_few_poses_that_all_move_away_have_no_extremes() -> None:
 )
 def test_two_per_cent_of_the_poses_are_one_at_least(count: int, expected: str) -> None:
     assert quantiles_sentence({"counted": count}) == expected
+
+
+def test_frequencies_have_the_standard_deviations_of_the_robot_file() -> None:
+    """f = sqrt(k / m) / (2 pi): 10 % of a stiffness and 2 % of a mass are 5.1 % of f, at every pose."""
+    model = pkmodes.load(PUBLISHED.with_name("bed-slinger.toml"))
+    found = model.map({"x": np.linspace(0.05, 0.2, 9), "y": np.linspace(0.05, 0.15, 7)})
+    sigmas = typical_spread(model.robot, found, model.max_condition)
+    content = summary_of(found, None, sigmas).as_json()
+    for mode in content["modes"]:
+        expected = 0.5 * np.hypot(0.1, 0.02) * mode["median_hz"]
+        assert mode["sigma_hz"] == pytest.approx(expected, rel=1e-9)
+    first = content["modes"][0]
+    assert _headline(content) == (
+        f"The lowest frequency of vibration lies between {first['quantile_2_hz']:.1f} and "
+        f"{first['quantile_98_hz']:.1f} Hz at 96 % of the poses, each \u00b1 {first['sigma_hz']:.1f} Hz (from the "
+        "standard deviations in the robot file)"
+    )
+    headings = [column.title for column in range_table(model, content).columns]
+    assert headings[4] == "\u00b1 [Hz]"
+
+
+def test_a_sweep_and_samples_have_no_standard_deviation_beside_their_scatter() -> None:
+    model = pkmodes.load(PUBLISHED.with_name("bed-slinger.toml"))
+    grid = {"x": [0.05, 0.1], "y": 0.1}
+    swept, sampled = model.map(grid, sweep={"bed.mass": [1.0, 2.0]}), model.map(grid, samples=30)
+    for found in (swept, sampled):
+        assert typical_spread(model.robot, found, model.max_condition) is None
+    content = summary_of(sampled, None).as_json()
+    assert content["modes"][0]["sigma_hz"] is None
+    assert _headline(content).endswith(
+        "Hz at 96 % of the poses of all robots, sampled from the standard deviations in the robot file"
+    )

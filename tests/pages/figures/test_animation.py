@@ -15,7 +15,7 @@ from pkmodes.pages.plots import animation as module
 from pkmodes.pages.plots.animation import FRAME_COUNT, animation
 from pkmodes.pages.plots.style import VERMILLION
 from pkmodes.pages.view import scene
-from pkmodes.pages.view.projection import camera
+from pkmodes.pages.view.camera import camera
 
 POSES = {
     "linear-delta-2022": "0.6,0,-0.245",

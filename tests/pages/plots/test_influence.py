@@ -13,7 +13,12 @@ from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
 
 from pkmodes.pages.plots import influence
-from pkmodes.pages.plots.dominant import PARAMETER_COLOURS, dominant_parameters, region_centres
+from pkmodes.pages.plots.dominant import (
+    PARAMETER_COLOURS,
+    dominant_parameters,
+    region_centres,
+    strongest_parameters,
+)
 from pkmodes.pages.plots.drawing import Drawing
 from pkmodes.pages.plots.plane import Plane
 from pkmodes.pages.plots.svg import inline_svg
@@ -111,6 +116,51 @@ def test_one_parameter_everywhere_is_a_sentence() -> None:
     other = dominant_parameters(plane(), PATHS, relative)
     assert same == "At every pose each frequency changes most with belt.width, of 3 parameters."
     assert other == (
-        "At every pose the frequencies change most with the same one of 3 parameters: that of mode 1 with "
-        "belt.width, that of mode 2 with link.length."
+        "At every pose the frequencies change most with the same ones of 3 parameters: that of mode 1 with "
+        "belt.width; that of mode 2 with link.length."
+    )
+
+
+def test_parameters_with_equal_influence_are_drawn_as_a_tie() -> None:
+    """Rounding decides nothing: a region where two are equal is one region, named after both."""
+    relative = np.zeros((5, 5, 3, 1))
+    relative[:, :, 0] = 0.2
+    relative[:, 3:, 1] = 0.5
+    relative[:, 3:, 2] = -0.5 * (1.0 + 1e-15 * np.random.default_rng(1).normal(size=(5, 2, 1)))
+    drawn = dominant_parameters(plane(), PATHS, relative)
+    assert isinstance(drawn, Drawing)
+    (legend,) = drawn.figure.legends
+    assert [text.get_text() for text in legend.texts] == [
+        "1  platform.mass",
+        "2  belt.width and\nlink.length alike",
+    ]
+    assert legend.get_title().get_text() == "largest |d ln f / d ln p| of 3 parameters; alike: within 1 %"
+    colours = drawn.figure.axes[0].collections[0].get_array()
+    assert len(np.unique(colours[:, :3])) == len(np.unique(colours[:, 3:])) == 1
+
+
+def test_a_tie_within_a_hundredth_is_one_and_a_larger_difference_none() -> None:
+    relative = np.full((1, 4, 2, 1), 0.5)
+    relative[0, :2, 1] *= 0.995
+    relative[0, 2:, 1] *= 0.985
+    sets, index = strongest_parameters(relative)
+    assert [sets[i] for i in index.ravel()] == [(0, 1), (0, 1), (0,), (0,)]
+
+
+def test_the_line_between_two_regions_is_no_region() -> None:
+    """Within 1 % of one another are two of 300 poses."""
+    relative = np.full((1, 301, 2, 1), 0.5)
+    relative[0, :, 1, 0] = np.linspace(0.0, 1.5, 301)
+    sets, index = strongest_parameters(relative)
+    assert sets == [(0,), (1,)]
+    assert (index[0, :100] == 0).all()
+    assert (index[0, 101:] == 1).all()
+
+
+def test_a_tie_everywhere_is_a_sentence() -> None:
+    relative = np.zeros((5, 5, 3, 1))
+    relative[:, :, 1:] = 0.5
+    assert dominant_parameters(plane(), PATHS, relative) == (
+        "At every pose each frequency changes most with belt.width and link.length alike (within 1 %), of 3 "
+        "parameters."
     )

@@ -119,3 +119,14 @@ def test_of_all_modes_the_largest_fraction_of_a_frequency_comes_first() -> None:
     )
     assert changes.largest_of_all() == [1, 0]
     assert changes.largest(1) == [0]
+
+
+def test_names_of_several_lines_do_not_run_into_their_neighbours() -> None:
+    """A bed slinger has two bars in a panel, one of them with two names."""
+    model = pkmodes.load("robots/bed-slinger.toml")
+    figure = tornado_picture(model, [0.08, 0.03], by="percent").figure
+    figure.draw_without_rendering()
+    for axes in figure.axes:
+        boxes = [label.get_window_extent() for label in axes.get_yticklabels() if label.get_text()]
+        assert len(boxes) == 2
+        assert not boxes[0].overlaps(boxes[1])

@@ -12,6 +12,7 @@ import pytest
 
 import pkmodes
 from helpers.pages.browser import Opened, opened
+from pkmodes.cli import run
 from pkmodes.machine.maps.poses import Poses
 from pkmodes.pages.plots.plane import Plane
 from pkmodes.pages.report.map import map_report
@@ -301,3 +302,34 @@ def test_a_large_map_is_thinned_and_says_so(tmp_path: Path) -> None:
     assert f"This page holds {sizes['y'] * sizes['x']} of the 840 poses of the map: every " in text
     small = pack_map(found, max_length=400)
     assert len(small.packed) <= 400
+
+
+@pytest.mark.parametrize(
+    ("robot", "options", "robot_shown"),
+    [
+        ("robots/corexy-printer.toml", ["--path", "0.02,0.02;0.2,0.05"], ""),
+        ("robots/linear-delta-2022.toml", ["--grid", "x=0.4:0.6:6,y=0.02,z=-0.245", "--drives", "held"], ""),
+        (
+            "robots/corexy-printer.toml",
+            ["--grid", "x=0.02:0.2:4,y=0.1", "--set", "toolhead.mass=0.2:0.5:2"],
+            ": the robot as declared, with toolhead.mass = 0.5 kg",
+        ),
+    ],
+)
+def test_the_cursor_and_the_view_begin_at_one_pose(
+    robot: str, options: list[str], robot_shown: str, tmp_path: Path
+) -> None:
+    page = tmp_path / "page.html"
+    assert run(["map", robot, *options, "--report", str(page)]) == 0
+    with opened(page) as browser:
+        browser.page.wait_for_function("document.querySelector('.explorer').explorer")
+        cursor = browser.page.evaluate(
+            "(() => { const e = document.querySelector('.explorer').explorer; "
+            "return e.map.pose(e.poseIndex); })()"
+        )
+        state = browser.page.evaluate(
+            "(() => { const s = document.querySelector('.pkview').viewer.state; "
+            "return [s.pose, s.exact]; })()"
+        )
+        assert state == [pytest.approx(cursor, abs=2e-6), True]
+        assert f"The machine in its modes{robot_shown}. It moves" in browser.page.locator("main").inner_text()

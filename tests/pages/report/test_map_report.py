@@ -133,7 +133,8 @@ def test_the_headline_leaves_out_the_edge_where_there_are_enough_poses(
     changed: dict[str, object], expected: str
 ) -> None:
     first = {"minimum_hz": 41.0, "maximum_hz": 4000.0, "quantile_2_hz": 42.0, "quantile_98_hz": 58.0}
-    assert _headline({"modes": [first], "tracked": False, **changed}) == expected
+    content = {"modes": [first], "tracked": False, "ranges": {}, "dimensions": {}, **changed}
+    assert _headline(content) == expected
 
 
 def test_a_frequency_beyond_all_others_is_said_to_be_left_out(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -91,11 +91,43 @@ def test_further_modes_are_folded(tmp_path: Path) -> None:
     assert "mode 7" not in sections["percent"].text
 
 
+def headline_of(folder: Path, robot: str, pose: str, *more: str) -> str:
+    page, _ = made(folder, robot, pose, *more)
+    (headline,) = read(page.read_text("utf-8")).by_id("summary").all("h2")
+    return headline.text
+
+
 def test_equal_changes_are_told_in_the_headline(tmp_path: Path) -> None:
     """f = sqrt(k / m) / (2 pi): one per cent of a mass, or of both stiffnesses, is half a per cent of f."""
-    page, _ = made(tmp_path, "robots/bed-slinger.toml", "0.08,0.03", "--drives", "held")
-    (headline,) = read(page.read_text("utf-8")).by_id("summary").all("h2")
-    assert headline.text.endswith(": 0.5 % for 1 %; 2 others change a frequency as much")
+    assert headline_of(tmp_path, "robots/bed-slinger.toml", "0.08,0.03", "--drives", "held") == (
+        "Three quantities change a frequency most, and alike, for +1 % of each: mass of the tool head, \u22120.5 % "
+        "of mode 2; mass of the bed, \u22120.5 % of mode 1; specific stiffness of each belt or width of each belt, "
+        "+0.5 % of every frequency"
+    )
+
+
+def test_one_quantity_that_changes_all_frequencies_alike_is_told_of_all(tmp_path: Path) -> None:
+    """The legs are the only springs of a hexapod: all frequencies go with the root of their stiffness."""
+    assert headline_of(tmp_path, "robots/hexapod.toml", "0,0,0.26,0,0,0") == (
+        "Every frequency depends most on the stiffness of the transmission of each leg (leg.stiffness): +0.5 % of "
+        "the frequency for +1 %"
+    )
+
+
+def test_axes_that_symmetry_makes_equal_are_each_named(capsys: pytest.CaptureFixture[str]) -> None:
+    """On its axis of symmetry, a delta vibrates sideways with 2/3 of the strain energy in one reducer at most.
+
+    With the arms held only the reducers strain, and f goes with the root of the stiffness.
+    """
+    paths = ",".join(f"axis.{k}.reducer.stiffness" for k in (1, 2, 3))
+    arguments = ["--pose", "0,0,-0.5", "--parameters", paths, "--drives", "held"]
+    assert run(["sensitivities", "robots/clavel-delta.toml", *arguments]) == 0
+    headline = " ".join(capsys.readouterr().out.split()).partition(" The largest change")[0]
+    clauses = [f"torsional stiffness of reducer {k}, seen at the arm, +0.33 % of mode 2" for k in (1, 2, 3)]
+    assert headline == (
+        "clavel-delta, motors held: Of the chosen quantities, three change a frequency most, and alike, for +1 % of "
+        f"each: {'; '.join(clauses)}"
+    )
 
 
 def test_modes_that_coincide_are_named(tmp_path: Path) -> None:

@@ -100,9 +100,14 @@ def expect_numbers_of_the_model(seen: Opened, model: pkmodes.Model, pose: list[f
     told = re.split(", | and ", named.removeprefix("each of "))
     for spring, part in zip(shown.springs, shown.shares[0, mode], strict=True):
         assert (spring.name in told) == (part > shown.shares[0, mode, most] - 5e-4)
-    along = [part.split() for part in said(seen, "along").replace("\u2212", "-").split(", ")]
-    assert [name for name, _ in along] == list(shown.directions)
-    assert [float(value) for _, value in along] == pytest.approx(units[mode].tolist(), abs=0.0051)
+    motion = said(seen, "motion").replace("\u2212", "-").removeprefix("Platform moves along ")
+    listed = dict(part.split() for part in motion.split(", "))
+    expected = {
+        name: share
+        for name, share in zip(shown.directions, units[mode].tolist(), strict=True)
+        if abs(share) >= 0.005
+    }
+    assert {name: float(value) for name, value in listed.items()} == pytest.approx(expected, abs=0.0051)
 
 
 def test_table_title_and_motion_are_those_of_the_pose_and_mode_shown(seen: Opened) -> None:
@@ -167,13 +172,16 @@ def test_without_a_program_the_table_is_that_of_the_pose_shown_first(pages: dict
     with opened(pages["corexy-printer"], motion="reduce", java_script_enabled=False) as found:
         rows = [row.split("\t") for row in found.page.locator("table").inner_text().splitlines()]
         cells = {row[0]: row[1:] for row in rows}
-        assert cells["Frequency"] == [f"{value:.2f} Hz" for value in modes.frequencies[2:]]
+        sigmas = model.frequency_sigmas(POSES["corexy-printer"])[2:]
+        assert all(1.0 < sigma < 10.0 for sigma in sigmas)  # two digits: one decimal
+        pairs = list(zip(modes.frequencies[2:], sigmas, strict=True))
+        assert cells["Frequency"] == [f"{value:.1f} \u00b1 {sigma:.1f} Hz" for value, sigma in pairs]
         for k, name in enumerate("xy"):
-            assert [float(cell) for cell in cells[f"Tool head along {name}"]] == pytest.approx(
-                units[2:, k].tolist(), abs=0.0051
-            )
+            assert [
+                float(cell.replace("\u2212", "-")) for cell in cells[f"Tool head along {name}"]
+            ] == pytest.approx(units[2:, k].tolist(), abs=0.0051)
         listed = [one.split() for one in found.page.locator(".pkview-modes label").all_inner_texts()]
-        assert [one[-2:] for one in listed[:2]] == [[f"{value:.2f}", "Hz"] for value in modes.frequencies[2:]]
+        assert [one[-2:] for one in listed[:2]] == [[f"{value:.1f}", "Hz"] for value in modes.frequencies[2:]]
         assert said(found, "place") == "x = 100.0 mm, y = 200.0 mm"
 
 

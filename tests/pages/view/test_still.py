@@ -13,7 +13,8 @@ import pytest
 import pkmodes
 from helpers.pages.browser import opened
 from pkmodes.pages.view import page, scene
-from pkmodes.pages.view.projection import camera, rim
+from pkmodes.pages.view.camera import camera
+from pkmodes.pages.view.projection import rim
 from pkmodes.pages.view.still import DARK_SCALE, LIGHT_SCALE, WIDTH, scale_colour, still_svg
 
 ROBOTS = Path(__file__).parents[3] / "robots"

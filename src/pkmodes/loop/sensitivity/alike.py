@@ -23,6 +23,9 @@ Array = NDArray[np.float64]
 ROUNDING_FRACTION = 1e-9
 #: Relative influences below this are rounding of zero: such a parameter acts on nothing, and is like no other.
 MIN_INFLUENCE = 1e-9
+#: Influences of different parameters on a frequency that differ by less, as a fraction of the largest, are told as
+#: alike: pages show them with two digits.
+TIE_FRACTION = 0.01
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.model import Model
+from pkmodes.loop.sensitivity.alike import TIE_FRACTION
 from pkmodes.loop.sensitivity.paths import resolve_all
 from pkmodes.loop.sensitivity.relative import equivalent_around, rates_of, scalable_quantities
 from pkmodes.loop.sensitivity.spread import frequency_sigmas, stated_sigmas
@@ -81,6 +82,17 @@ class Changes:
         rounded = [float(f"{value:.6g}") for value in size.tolist()]
         order = sorted(np.flatnonzero(size > ROUNDING).tolist(), key=lambda i: -rounded[i])
         return order[:limit]
+
+    def strongest(self) -> list[tuple[int, list[int]]]:
+        """Return the quantities with the largest relative change of any frequency, and the modes with that change.
+
+        Changes within `TIE_FRACTION` of the largest count as equal; modes are counted from 0.
+        """
+        relative = np.nan_to_num(np.abs(self.changes / self.frequencies))
+        is_largest = relative >= max((1.0 - TIE_FRACTION) * relative.max(initial=0.0), ROUNDING)
+        return [
+            (i, np.flatnonzero(is_largest[i]).tolist()) for i in self.largest_of_all() if is_largest[i].any()
+        ]
 
 
 def changes_at(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -16,6 +17,8 @@ from pkmodes.machine.maps.poses import Poses
 Array = NDArray[np.float64]
 #: Number of poses at equal distances along a path, to which its corners are added.
 EVEN_POSE_COUNT = 101
+#: Decimals of a distance stay below this number: floating-point numbers have no more.
+MAX_DECIMALS = 16
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,6 +71,16 @@ class PosePath:
         unit, factor = DISPLAY_UNITS.get(
             units[int(np.argmax(moves_mask))], (units[int(np.argmax(moves_mask))], 1.0)
         )
-        labels = tuple(f"{factor * distance:.6g} {unit}" for distance in distances)
+        labels = _distance_labels(factor * distances, unit)
         components = tuple(component.name for component in mechanism.pose)
         return cls(Poses(table, components, labels), factor * distances, factor * corner_distances, unit)
+
+
+def _distance_labels(distances: Array, unit: str) -> tuple[str, ...]:
+    """Return distances as labels, with as many decimals as tell their steps apart."""
+    step = float(distances[-1]) / EVEN_POSE_COUNT
+    for decimals in range(max(0, 1 - math.floor(math.log10(step))), MAX_DECIMALS):
+        labels = tuple(f"{distance:.{decimals}f} {unit}" for distance in distances)
+        if len(set(labels)) == len(labels):
+            break
+    return labels

@@ -1,7 +1,8 @@
-"""Uncertainty of the declared robot's frequencies along one axis of a map."""
+"""Uncertainty of the declared robot's frequencies along one axis of a map, and over all of it."""
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,6 +17,8 @@ if TYPE_CHECKING:
     import xarray
 
 Array = NDArray[np.float64]
+#: Approximate number of poses of which a median of standard deviations is taken.
+SPREAD_POSES = 2_000
 
 
 def spread_along(robot: Robot, dataset: xarray.Dataset, dim: str, max_condition: float) -> Array | None:
@@ -62,3 +65,31 @@ def spread_along(robot: Robot, dataset: xarray.Dataset, dim: str, max_condition:
     # A tracked map numbers its modes by shape, not by frequency.
     ranks = np.argsort(np.argsort(frequencies, axis=1), axis=1)
     return np.take_along_axis(sigmas, ranks, axis=1)
+
+
+def typical_spread(robot: Robot, dataset: xarray.Dataset, max_condition: float) -> Array | None:
+    """Return the median standard deviation of each frequency of a map, over some of its poses.
+
+    - robot, dataset, max_condition: as for `spread_along`
+
+    Returns (m,), in Hz.  None where the robot file states no standard deviations, and for a map of several robots,
+    whose frequencies differ for other reasons.
+    """
+    components = [component.name for component in robot.mechanism.pose]
+    dims = [str(dim) for dim in dataset["valid"].dims]
+    if not stated_sigmas(robot) or not set(dims) <= {*components, "pose"}:
+        return None
+    step = math.ceil((dataset["valid"].size / SPREAD_POSES) ** (1.0 / max(len(dims), 1)))
+    thinned = dataset[["frequency", "valid"]].isel({dim: slice(None, None, step) for dim in dims}).load()
+    is_valid = thinned["valid"].values.reshape(-1)
+    if not is_valid.any():
+        return None
+    frequencies = thinned["frequency"].transpose(*dims, "mode").values.reshape(len(is_valid), -1)[is_valid]
+    columns = [thinned[name].broadcast_like(thinned["valid"]).values.reshape(-1) for name in components]
+    points = np.stack(columns, axis=-1)[is_valid]
+    spread = spread_of(Model(robot, max_condition), points, str(dataset.attrs["drives"]), "nan")
+    if spread is None:
+        return None
+    ranks = np.argsort(np.argsort(frequencies, axis=1), axis=1)
+    of_modes = np.take_along_axis(spread[:, -frequencies.shape[1] :], ranks, axis=1)
+    return np.asarray(np.nanmedian(of_modes, axis=0))

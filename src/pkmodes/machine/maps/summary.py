@@ -57,6 +57,13 @@ class ExtremesDocument(Document, frozen=True):
     quantile_98_hz: Annotated[
         float | None, Meta(description="The frequency below which it is at 98 % of the poses [Hz].")
     ]
+    sigma_hz: Annotated[
+        float | None,
+        Meta(
+            description="Its standard deviation from those that the robot file states, the median over some of the "
+            "poses [Hz]; null where the file states none, and for a map of several robots."
+        ),
+    ] = None
 
 
 class LeftOutDocument(Document, frozen=True):
@@ -118,10 +125,13 @@ class MapSummary(Document, frozen=True):
     modes: Annotated[list[ExtremesDocument], Meta(description="The vibration modes.")]
 
 
-def summary_of(dataset: xarray.Dataset, file: str | None) -> MapSummary:
+def summary_of(
+    dataset: xarray.Dataset, file: str | None, sigmas: NDArray[np.float64] | None = None
+) -> MapSummary:
     """Return the summary of a map.
 
     - dataset: from `pkmodes.Model.map`; it is read part by part
+    - sigmas: of each mode, from `typical_spread`, (m,) [Hz]
     """
     leading = [str(dim) for dim in dataset["condition"].dims]
     mode_numbers = dataset["mode"].values.tolist()
@@ -183,8 +193,13 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> MapSummary:
                 *_value_and_pose(low, dataset),
                 *_value_and_pose(high, dataset),
                 **{key: None if low is None else value for key, value in zip(QUANTILES, row, strict=True)},
+                sigma_hz=None if low is None or not np.isfinite(sigma) else float(sigma),
             )
-            for number, low, high, row in zip(mode_numbers, lowest, highest, rows, strict=True)
+            for number, low, high, row, sigma in zip(
+                *(mode_numbers, lowest, highest, rows),
+                np.full(len(mode_numbers), np.nan) if sigmas is None else sigmas,
+                strict=True,
+            )
         ],
     )
 

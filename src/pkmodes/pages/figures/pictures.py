@@ -21,6 +21,7 @@ from pkmodes.core.support.extras import require
 from pkmodes.core.support.motors import motors_in_words
 from pkmodes.core.support.ordering import joined
 from pkmodes.core.support.progress import report_progress
+from pkmodes.loop.sensitivity.alike import TIE_FRACTION
 from pkmodes.machine.maps import left_out
 from pkmodes.machine.maps.mapping import map_of
 from pkmodes.machine.maps.poses import checked_poses
@@ -156,7 +157,7 @@ def frequency_uncertainty(spread: NDArray[Any] | None) -> str:
     conjunction = "and" if len(spread) == 2 else "to"
     modes = "" if len(spread) == 1 else f" of modes 1 {conjunction} {len(spread)}"
     text = f" From the standard deviations in the robot file, the frequencies{modes} are known to {uncertainties} Hz"
-    return f"{text} (median)."
+    return f"{text} (median over the plane)."
 
 
 def rotation_factor_sentence(lengths: NDArray[Any] | None) -> str:
@@ -215,7 +216,8 @@ PICTURES = (
     PictureKind(
         "dominant",
         "The parameter with the largest influence",
-        "At each pose, the parameter whose relative change changes the frequency most.",
+        "At each pose, the parameter whose relative change changes the frequency most; several are alike where their "
+        f"influences are within {plain(100 * TIE_FRACTION)}\N{NO-BREAK SPACE}% of the largest.",
         lambda robot: dominant_parameters(coarse_plane(robot.plane), *robot.influences),
     ),
     PictureKind(

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from pkmodes.core.support.extras import require
 from pkmodes.pages.plots.style import INK, VERMILLION, figure, figure_style
-from pkmodes.pages.view.projection import camera, outline
+from pkmodes.pages.view.camera import camera
+from pkmodes.pages.view.projection import outline
 from pkmodes.pages.view.scene import AMPLITUDE, Scene
 
 if TYPE_CHECKING:

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from pkmodes.pages.plots.drawing import Drawing
 from pkmodes.pages.plots.sheet import Sheet
 from pkmodes.pages.plots.style import FIGURE_WIDTH, GREY, INK, PALETTE
-from pkmodes.pages.view.projection import AREA_SHAPES, camera, outline
+from pkmodes.pages.view.camera import camera
+from pkmodes.pages.view.projection import AREA_SHAPES, outline
 from pkmodes.pages.view.scene import Scene
 from pkmodes_description import Element
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from typing import Any
 
@@ -18,8 +19,8 @@ from pkmodes.pages.plots.style import BLUE, GREY, INK, PAPER
 MAX_BARS, MAX_COLUMNS, MAX_PANELS = 10, 2, 6
 #: Names longer than this are split before their last part.
 MAX_NAME_LENGTH = 24
-#: Height of a bar with its spacing, and of the space around the bars of a panel [inch].
-BAR_PITCH, PANEL_PADDING = 0.23, 0.6
+#: Height of a bar with its spacing, of a line of its label, and of the space around the bars of a panel [inch].
+BAR_PITCH, LABEL_LINE, PANEL_PADDING = 0.23, 0.13, 0.75
 #: Length of the shortest bar that is drawn, as a fraction of the longest.
 MIN_BAR_FRACTION = 1e-3
 #: Length of the axis relative to the longest bar.
@@ -43,7 +44,7 @@ def tornado(changes: Changes, modes: Sequence[int] | None = None) -> Drawing:
     columns = min(MAX_COLUMNS, len(shown_modes))
     rows = -(-len(shown_modes) // columns)
     bars = max(len(_shown_quantities(changes, mode)) for mode in shown_modes) + (changes.combined is not None)
-    height = rows * (BAR_PITCH * bars + PANEL_PADDING) + 0.3
+    height = rows * (_bar_pitch(changes, shown_modes) * bars + PANEL_PADDING) + 0.3
 
     def draw(sheet: Sheet) -> None:
         from matplotlib.layout_engine import ConstrainedLayoutEngine
@@ -77,6 +78,20 @@ def wrapped_name(name: str) -> str:
     return f"{head}\n.{last}"
 
 
+def _label_of(changes: Changes, index: int) -> str:
+    """Return the names of a quantity beside a panel, each on lines of its own."""
+    return ",\n".join(map(wrapped_name, changes.names[index]))
+
+
+def _bar_pitch(changes: Changes, modes: Sequence[int]) -> float:
+    """Return the height of a bar with its spacing for which labels of several lines leave their neighbours alone."""
+    pitch = BAR_PITCH
+    for mode in modes:
+        lines = [1 + _label_of(changes, i).count("\n") for i in _shown_quantities(changes, mode)]
+        pitch = max([pitch, *(0.5 * (a + b) * LABEL_LINE for a, b in itertools.pairwise([*lines, 1]))])
+    return pitch
+
+
 def _shown_quantities(changes: Changes, mode: int) -> list[int]:
     magnitudes = np.abs(changes.changes[:, mode])
     return [i for i in changes.largest(mode, MAX_BARS) if magnitudes[i] > MIN_BAR_FRACTION * magnitudes.max()]
@@ -85,7 +100,7 @@ def _shown_quantities(changes: Changes, mode: int) -> list[int]:
 def _draw_panel(panel: Panel, changes: Changes, mode: int, bars: int) -> None:
     axes, largest = panel.axes, _shown_quantities(changes, mode)
     names = [", ".join(map(visible_text, changes.names[i])) for i in largest]
-    wrapped_labels = [",\n".join(map(wrapped_name, changes.names[i])) for i in largest]
+    wrapped_labels = [_label_of(changes, i) for i in largest]
     style: dict[str, Any] = {"height": 0.66, "linewidth": 0.8}
     step = STEP_LABELS[changes.by]
     for row, i in enumerate(largest):

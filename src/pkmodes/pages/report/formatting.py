@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from pkmodes.core.base import numbers
 from pkmodes.core.base.numbers import p_text, plain, round_to_sigma, without_zero_sign
+from pkmodes.core.robot.units import DISPLAY_UNITS
 from pkmodes.pages.plots.labels import MINUS, SUPERSCRIPTS, TIMES, typeset, visible_text
 from pkmodes.pages.report.blocks import Cell, Spread
+
+if TYPE_CHECKING:
+    from pkmodes.core.mechanism.registry import Mechanism
 
 #: Longer labels and file names are shortened; the JSON has them in full.
 MAX_LABEL_LENGTH = 100
@@ -190,6 +195,15 @@ def file_name(path: str) -> str:
 def pointer(*parts: object) -> str:
     """Return a JSON pointer (RFC 6901); characters that are not visible are escaped."""
     return "".join("/" + visible_text(part).replace("~", "~0").replace("/", "~1") for part in parts)
+
+
+def pose_in_words(mechanism: Mechanism, point: Sequence[float]) -> str:
+    """Return a pose in the units of pages: "x = 600 mm, rz = 0 deg"."""
+    parts = []
+    for component, value in zip(mechanism.pose, point, strict=True):
+        unit, factor = DISPLAY_UNITS[component.unit]
+        parts.append(f"{component.name} = {plain(value * factor + 0.0, 5)} {unit}")
+    return ", ".join(parts).replace("-", MINUS)
 
 
 def plural(count: int, noun: str) -> str:

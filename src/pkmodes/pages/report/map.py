@@ -7,10 +7,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from pkmodes.core.robot.declaration import changeable_units
 from pkmodes.core.support.motors import motors_in_words
 from pkmodes.machine.maps.left_out import without_unrepresentative
-from pkmodes.machine.maps.spread import spread_along
+from pkmodes.machine.maps.spread import spread_along, typical_spread
 from pkmodes.machine.maps.summary import summary_of
 from pkmodes.pages.figures.pictures import pictures
 from pkmodes.pages.plots import sweeps
@@ -84,7 +86,9 @@ def map_report(
         If the libraries of the extra ``report`` are not installed.
     """
     need_report()
-    content = summary_of(dataset, None).as_json() if content is None else content
+    if content is None:
+        sigmas = typical_spread(model.robot, dataset, model.max_condition)
+        content = summary_of(dataset, None, sigmas).as_json()
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
     section = section_of(model, dataset) if section is None else section
     explorer = interactive_map(
@@ -96,31 +100,44 @@ def map_report(
     sections = [
         Section("modes", "Range of each frequency", [range_table(model, content)]),
         *([Section("explore", "Pose by pose", [explorer])] if explorer is not None else []),
-        *view_section(view),
+        *view_section(view, _robot_of_view(model, dataset)),
         *_volume_sections(model, dataset),
         *_variation_sections(model, dataset, without_unrepresentative(dataset), path),
         *_figure_sections(model, dataset, section),
         origin_section(sources, model.mechanism, origin_facts, str(dataset.attrs["version"])),
     ]
     return page(
-        summary_of_map(model, content),
+        summary_of_map(model, content, path),
         [replace(section, folded=section.html_id in FOLDED_SECTIONS) for section in sections],
     )
 
 
-def middle_pose(model: Model, dataset: xarray.Dataset, plane: PoseGrid | None = None) -> list[float] | None:
-    """Return the pose in the middle of a map; None for a list of poses, or if it cannot be evaluated.
+def cursor_pose(model: Model, dataset: xarray.Dataset, plane: PoseGrid | None = None) -> list[float] | None:
+    """Return the pose at which the cursor of a map begins, as in map_explorer.js; None if it cannot be evaluated.
 
-    - plane: the plane of the figures, in which it lies
+    It is the first pose of a list, and else the middle of each axis.
+
+    - plane: the plane of the figures: the pose is in the section of the map that is nearest to it
     """
     names = [component.name for component in model.mechanism.pose]
-    if not set(names) <= set(dataset.dims):
-        return None
-    pose = [float(dataset[name].values[dataset.sizes[name] // 2]) for name in names]
-    if plane is not None:
-        fixed = {name: float(values[0]) for name, values in plane.axes.items() if len(values) == 1}
-        pose = [fixed.get(name, value) for name, value in zip(names, pose, strict=True)]
+    if "pose" in dataset["frequency"].dims:
+        pose = [float(dataset[name].values.reshape(-1)[0]) for name in names]
+        return pose if model.check(pose).valid else None
+    fixed = {} if plane is None else {name: v[0] for name, v in plane.axes.items() if len(v) == 1}
+    pose = []
+    for name in names:
+        values = dataset[name].values.reshape(-1)
+        index = np.abs(values - fixed[name]).argmin() if name in fixed else len(values) // 2
+        pose.append(float(values[index]))
     return pose if model.check(pose).valid else None
+
+
+def _robot_of_view(model: Model, dataset: xarray.Dataset) -> str:
+    """Return the robot that a view shows beside a map of several robots; empty if the map is of the declared one."""
+    if swept := swept_paths(dataset):
+        values = declared_values_in_words(model, swept, changeable_units(model.robot))
+        return f"the robot as declared{', with ' * bool(values)}{values}"
+    return "the robot as declared" if "sample" in dataset["frequency"].dims else ""
 
 
 def _volume_sections(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:

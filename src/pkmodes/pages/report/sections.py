@@ -59,12 +59,18 @@ def origin_section(
     return Section("origin", "Data and versions", [Facts(facts)])
 
 
-def view_section(view: str | None) -> list[Section]:
-    """Return the section of the view in three dimensions, which is made elsewhere; none without it."""
+def view_section(view: str | None, robot: str = "") -> list[Section]:
+    """Return the section of the view in three dimensions, which is made elsewhere; none without it.
+
+    - robot: which robot it shows, where the page is about several
+    """
     if view is None:
         return []
     blocks: list[Block] = [
-        Paragraph("The machine in its modes. It moves on a screen; a printed page has a still picture."),
+        Paragraph(
+            f"The machine in its modes{f': {robot}' if robot else ''}. It moves on a screen; a printed page has a "
+            "still picture."
+        ),
         EmbeddedHtml(view),
     ]
     return [Section("view", "In three dimensions", blocks)]

@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pkmodes.core.base.numbers import plain
-from pkmodes.core.mechanism.poses import format_pose
+from pkmodes.core.base.numbers import format_signed, plain
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.support.motors import motors_in_words
+from pkmodes.core.support.ordering import joined
 from pkmodes.core.support.words import meaning_of
+from pkmodes.loop.diagnosis.verdict.naming import NUMBER_WORDS
+from pkmodes.loop.sensitivity.alike import TIE_FRACTION
 from pkmodes.loop.sensitivity.changes import CORRELATED, Changes, coinciding
 from pkmodes.loop.sensitivity.spread import stated_sigmas
 from pkmodes.pages.plots.labels import MINUS
@@ -23,6 +25,7 @@ from pkmodes.pages.report.formatting import (
     number_cell,
     plural,
     pointer,
+    pose_in_words,
     quantity_cell,
     rounded_cell,
     shorten,
@@ -36,8 +39,8 @@ if TYPE_CHECKING:
 
 #: Note on parameters that act as one.
 ACT_AS_ONE_NOTE = "Quantities in one row act as one: only their product or quotient enters the equations."
-#: Largest relative difference of changes that are equal in a headline.
-MAX_TIE_DIFFERENCE = 1e-3
+#: All modes in a headline, and the maximum number of quantities that it names.
+EVERY_FREQUENCY, MAX_NAMED = "every frequency", 3
 #: Columns of a table to the left of the modes.
 LABEL_COLUMNS = 2
 #: Derivatives below these bounds are rounding errors: relative change of the frequency per relative change of the
@@ -57,24 +60,13 @@ def sensitivities_summary(
 
     - chosen_only: whether the changes are those of chosen quantities only
     """
-    relative = 100.0 * np.abs(percent.changes / percent.frequencies)
-    most_influential = percent.largest_of_all(1)
     headline, reason = "No quantity of the robot file changes a frequency", ""
-    if most_influential:
-        mode = int(relative[most_influential[0]].argmax())
-        change = plain(relative[most_influential[0], mode], 2)
-        names = []
-        for path in map(clean, percent.names[most_influential[0]]):
-            words = clean(meaning_of(model.robot.mechanism, path))
-            names.append(f"the {words} ({path})" if words else path)
-        mode_text = f"Of the chosen quantities, mode {mode + 1}" if chosen_only else f"Mode {mode + 1}"
-        largest = relative.max(axis=1)
-        tie_count = int((largest >= (1.0 - MAX_TIE_DIFFERENCE) * largest[most_influential[0]]).sum()) - 1
-        verb = "changes" if tie_count == 1 else "change"
-        tie = f"; {plural(tie_count, 'other')} {verb} a frequency as much" if tie_count else ""
-        headline = f"{mode_text} depends most on {' or '.join(names)}: {change} % for 1 %{tie}"
-        reason = "The largest change of any frequency for one per cent of a quantity. "
-    pose_text = format_pose(model.mechanism, np.array(content["pose"]), "g").replace("-", MINUS)
+    if strongest := percent.strongest():
+        headline = _headline(model, percent, strongest, chosen_only=chosen_only)
+        is_tie = len(strongest) > 1 or len(strongest[0][1]) > 1
+        tie_note = f"; changes within {plain(100 * TIE_FRACTION)} % of it count as alike" if is_tie else ""
+        reason = f"The largest change of any frequency for one per cent of a quantity{tie_note}. "
+    pose_text = pose_in_words(model.mechanism, content["pose"])
     motors, facts, rigid = motors_in_words(model.robot, content["drives"]), [], content["rigid_modes"]
     for mode, frequency in enumerate(percent.frequencies.tolist()):
         frequency_sigma = 0.0 if sigma is None or sigma.combined is None else float(sigma.combined[mode])
@@ -94,6 +86,65 @@ def sensitivities_summary(
         facts=facts,
         head=head_of(model.robot.report),
     )
+
+
+def _headline(
+    model: Model, percent: Changes, strongest: list[tuple[int, list[int]]], *, chosen_only: bool
+) -> str:
+    """Return the quantities that change a frequency most, with the change and its sign.
+
+    - strongest: from `Changes.strongest`
+    """
+    if len(strongest) == 1:
+        (index, modes), *_ = strongest
+        modes_text = _modes_text(percent, modes)
+        verb = "depends" if len(modes) == 1 or modes_text == EVERY_FREQUENCY else "depend"
+        return (
+            f"{_opening(modes_text, chosen_only)} {verb} most on {_quantity_text(model, percent, index)}: "
+            f"{_change_text(percent, index, modes)} of the frequency for +1 %"
+        )
+    clauses = [
+        f"{_quantity_text(model, percent, index, with_paths=False)}, {_change_text(percent, index, modes)} of "
+        f"{_modes_text(percent, modes)}"
+        for index, modes in strongest[:MAX_NAMED]
+    ]
+    if (surplus := len(strongest) - MAX_NAMED) > 0:
+        clauses.append(f"and {plural(surplus, 'other')}")
+    count = NUMBER_WORDS[len(strongest)] if len(strongest) < len(NUMBER_WORDS) else str(len(strongest))
+    opening = _opening(count if chosen_only else f"{count} quantities", chosen_only)
+    return f"{opening} change a frequency most, and alike, for +1 % of each: {'; '.join(clauses)}"
+
+
+def _opening(subject: str, chosen_only: bool) -> str:
+    return f"Of the chosen quantities, {subject}" if chosen_only else subject[0].upper() + subject[1:]
+
+
+def _quantity_text(model: Model, percent: Changes, index: int, *, with_paths: bool = True) -> str:
+    """Return a quantity in words; several where they act as one.
+
+    - with_paths: whether paths stand beside the words
+    """
+    names = []
+    for path in map(clean, percent.names[index]):
+        words = clean(meaning_of(model.robot.mechanism, path))
+        names.append(f"the {words} ({path})" if words and with_paths else words or path)
+    return " or ".join(names)
+
+
+def _modes_text(percent: Changes, modes: Sequence[int]) -> str:
+    """Return the numbers of modes, counted from 0, in words."""
+    if len(modes) == len(percent.frequencies) > 1:
+        return EVERY_FREQUENCY
+    numbers = [str(mode + 1) for mode in modes]
+    return f"mode{'s' if len(modes) > 1 else ''} {joined(numbers)}"
+
+
+def _change_text(percent: Changes, index: int, modes: Sequence[int]) -> str:
+    """Return the relative change of some frequencies for one per cent more of a quantity, with its sign."""
+    changes = 100.0 * percent.changes[index, modes] / percent.frequencies[modes]
+    texts = list(dict.fromkeys(format_signed(change) for change in sorted(changes.tolist(), key=abs)))
+    between = " to " if (changes > 0.0).all() or (changes < 0.0).all() else " or "
+    return f"{between.join(texts)} %".replace("-", MINUS)
 
 
 def _label_cell(model: Model, paths: Sequence[str]) -> Cell:

@@ -15,6 +15,7 @@ from pkmodes.core.robot.units import DISPLAY_UNITS
 from pkmodes.core.support.page_policy import with_policy
 from pkmodes.pages.view.interpolation import SLIDER_STEPS
 from pkmodes.pages.view.measured_data import measured_sentence, measured_table, numbers_table
+from pkmodes.pages.view.mode_words import energy_text, frequency_text, motion_text, sigma_note, signed_text
 from pkmodes.pages.view.page_data import data_element, platform_directions, scene_data
 from pkmodes.pages.view.scene import AMPLITUDE, Scene
 from pkmodes.pages.view.still import still_svg
@@ -22,8 +23,8 @@ from pkmodes_description import Named
 
 #: Scripts of the viewer, in loading order.
 PROGRAM = ("palette.js", "states.js", "shapes.js", "stage.js", "panel.js", "viewer.js")
-#: Shares of the strain energy that differ by less count as equal, as in panel.js.
-EQUAL_SHARE_TOLERANCE = 0.0005
+#: Note on motions that strain no spring.
+RIGID_NOTE = "Rigid-body motions strain no spring: without gravity, their frequency is 0."
 #: End of every page title, by which `pkmodes show` recognises its own pages.
 PAGE_MARK = b": vibration modes</title>"
 ICON = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg'/%3E"
@@ -66,7 +67,7 @@ def page(scene: Scene) -> str:
 <main>
 <header>
 <h1>{name}</h1>
-<p>{escape(scene.title[:1].upper() + scene.title[1:])}; {scene.doing}</p>
+<p>{escape(scene.title[:1].upper() + scene.title[1:])}; {scene.doing}{sigma_note(scene)}</p>
 {_about_list(scene)}</header>
 {fragment(scene)}
 <footer>
@@ -185,24 +186,9 @@ def _pose_controls(scene: Scene, prefix: str) -> str:
 def _title(scene: Scene) -> str:
     """Return the title of the first mode: frequency, springs with most energy, motion, model, measurement."""
     pose, mode = scene.chosen, min(scene.rigid_modes, scene.frequencies.shape[1] - 1)
-    number, shares = mode - scene.rigid_modes + 1, scene.shares[pose, mode]
+    number = mode - scene.rigid_modes + 1
     name = f"Mode {number}" if number > 0 else f"Rigid-body motion {mode + 1}"
-    energy_text = "no spring is strained"
-    if np.isfinite(shares).any():
-        largest = float(np.nanmax(shares))
-        *preceding, last = (
-            escape(spring.name)
-            for spring, share in zip(scene.springs, shares, strict=True)
-            if share > largest - EQUAL_SHARE_TOLERANCE
-        )
-        spring_names = f"each of {', '.join(preceding)} and {last}" if preceding else last
-        energy_text = f"{100 * largest:.0f} % of the strain energy in {spring_names}"
-    moves = zip(scene.moves, platform_directions(scene)[pose, mode], strict=True)
-    direction_text = ", ".join(
-        f"{component} {round(move, 2) + 0.0:.2f}".replace("-", "\u2212") for component, move in moves
-    )
-    body = scene.moving_body[0].upper() + scene.moving_body[1:]
-    verb = "move" if len(set(scene.moving_bodies)) > 1 else "moves"
+    motion = motion_text(scene.bodies, scene.moves, platform_directions(scene)[pose, mode].tolist())
     further_lines = f"<p>Model {escape(scene.what)}</p>" if scene.what else ""
     if scene.varied:
         further_lines += '<p>Thin lines: as declared<span data-part="declared"></span></p>'
@@ -211,9 +197,10 @@ def _title(scene: Scene) -> str:
             f'<p class="pkview-measured"><span data-part="observed">{measured_sentence(scene)}</span></p>'
         )
     return (
-        f'<div class="pkview-title"><h2 data-part="title">{name}: {scene.frequencies[pose, mode]:.2f} Hz</h2>'
-        f'<p><span data-part="held">{energy_text}</span></p>'
-        f'<p>{escape(body)} {verb} along <span data-part="along">{direction_text}</span></p>{further_lines}</div>'
+        f'<div class="pkview-title"><h2 data-part="title">{name}: '
+        f"{frequency_text(scene, pose, mode, with_sigma=True)}</h2>"
+        f'<p><span data-part="held">{escape(energy_text(scene, pose, mode))}</span></p>'
+        f'<p><span data-part="motion">{escape(motion[0].upper() + motion[1:])}</span></p>{further_lines}</div>'
     )
 
 
@@ -230,18 +217,16 @@ def _mode_controls(scene: Scene, prefix: str) -> str:
         css_class = "" if mode >= rigid else ' class="pkview-rigid"'
         name = str(mode - rigid + 1) if mode >= rigid else f"rigid {mode + 1}"
         chosen = " checked" if mode == first_mode else ""
-        frequency_text = f"{round(scene.frequencies[scene.chosen, mode], 2) + 0.0:.2f} Hz".replace(
-            "-", "\u2212"
-        )
         labels.append(
             f'<label{css_class}><input type="radio" name="{prefix}-mode" value="{mode}" data-part="mode"{chosen}>'
-            f'<b>{name}</b><span data-part="frequency" data-mode="{mode}">{frequency_text}</span>'
+            f'<b>{name}</b><span data-part="frequency" data-mode="{mode}">'
+            f"{frequency_text(scene, scene.chosen, mode)}</span>"
             f"{comparison.format(mode)}</label>"
         )
     return (
         f'<fieldset><legend>Mode</legend><div class="pkview-modes">{"".join(labels)}</div></fieldset>'
         '<p class="pkview-status" role="status" aria-live="polite" data-part="status">'
-        f"{'Rigid-body motions strain no spring.' if rigid else ''}</p>"
+        f"{RIGID_NOTE if rigid else ''}</p>"
         + ("" if scene.measured is None else '<p class="pkview-hint" data-part="unmatched"></p>')
     )
 
@@ -278,19 +263,20 @@ def _mode_table(scene: Scene, prefix: str) -> str:
         f'<th scope="col" data-column="{m}">Mode {m - scene.rigid_modes + 1}</th>' for m in modes
     )
     frequencies = "".join(
-        f'<td data-column="{m}" data-part="frequency" data-mode="{m}">{scene.frequencies[pose, m]:.2f} Hz</td>'
+        f'<td data-column="{m}" data-part="frequency" data-mode="{m}" data-sigma>'
+        f"{frequency_text(scene, pose, m, with_sigma=True)}</td>"
         for m in modes
     )
     rows = [f'<tr><th scope="row">Frequency</th>{frequencies}</tr>']
     for k, component in enumerate(scene.moves):
         cells = "".join(
             f'<td data-column="{m}" data-part="direction" data-mode="{m}" data-component="{k}">'
-            f"{round(moves[m, k], 2) + 0.0:.2f}</td>"
+            f"{signed_text(moves[m, k], 2)}</td>"
             for m in modes
         )
         motion = component if component.startswith("about") else f"along {component}"
-        body = scene.moving_bodies[k] if k < len(scene.moving_bodies) else "platform"
-        rows.append(f'<tr><th scope="row">{escape(f"{body} {motion}".capitalize())}</th>{cells}</tr>')
+        row_title = escape(f"{scene.bodies[k]} {motion}".capitalize())
+        rows.append(f'<tr><th scope="row">{row_title}</th>{cells}</tr>')
     for k, spring in enumerate(scene.springs):
         cells = ""
         for m in modes:
@@ -307,7 +293,7 @@ def _mode_table(scene: Scene, prefix: str) -> str:
     caption = (
         f"<b>What rings with {scene.doing}:</b> share of every spring in the strain energy of each mode, and the"
         f" direction of motion of the {scene.moving_body}{_rotation_note(scene)},"
-        f' at <span data-part="place">{_place_text(scene, pose)}</span>'
+        f' at <span data-part="place">{_place_text(scene, pose)}</span>{sigma_note(scene)}'
     )
     return numbers_table(f"{prefix}-caption", caption, head_cells, rows)
 

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.mechanism.length import unit_vectors
+from pkmodes.pages.view.camera import camera, hiding_plates
 from pkmodes.pages.view.interpolation import largest_around
 from pkmodes.pages.view.measured_data import measured_data
 from pkmodes.pages.view.scene import AMPLITUDE, Scene
@@ -29,7 +30,7 @@ def scene_data(scene: Scene) -> dict[str, Any]:
     turning_coordinates = list(dict.fromkeys(element.turns for element in scene.elements if element.turns))
     shares = scene.shares
     displacements, rotations = _displacements_and_rotations(scene, turning_coordinates)
-    levels, deviations = None, None
+    levels, deviations, clear_plates = None, None, hiding_plates(scene)
     if scene.levels is not None:  # components of poses to a micrometre, values of parameters unrounded
         levels = [values.tolist() if scene.varied else _round_nested(values, 6) for values in scene.levels]
     if scene.deviations is not None:  # an entry for every one of `interpolation_errors`; None where unknown
@@ -39,8 +40,10 @@ def scene_data(scene: Scene) -> dict[str, Any]:
         "size": _round_nested(scene.size, POSITION_DECIMALS),
         "amplitude": AMPLITUDE,
         "vertical": _round_nested(scene.vertical, 6),
+        "towards": _round_nested(camera(scene)[2], 4),
         "pose": [{"name": c.name, "unit": c.unit} for c in scene.pose],
         "components": list(scene.moves),
+        "bodies": list(scene.bodies),
         "elements": [
             {
                 "shape": element.shape,
@@ -50,6 +53,7 @@ def scene_data(scene: Scene) -> dict[str, Any]:
                 "spring": element.spring,
                 "turns": turning_coordinates.index(element.turns) if element.turns else -1,
                 **({"marked": True} if i in scene.marked else {}),
+                **({"clear": True} if i in clear_plates else {}),
             }
             for i, element in enumerate(scene.elements)
         ],
@@ -70,6 +74,7 @@ def scene_data(scene: Scene) -> dict[str, Any]:
         "measured": measured_data(scene),
         "points": _round_nested(scene.points.reshape(len(scene.poses), -1), POSITION_DECIMALS),
         "frequencies": _round_nested(scene.frequencies, 4),
+        "sigmas": None if scene.sigmas is None else _rounded_sigmas(scene.sigmas),
         "moved": _round_nested(displacements, MOTION_DECIMALS),
         "turned": _round_nested(rotations, MOTION_DECIMALS),
         "shares": [
@@ -111,6 +116,11 @@ def _displacements_and_rotations(scene: Scene, turning_coordinates: list[str]) -
     shapes = scene.shapes * scales[:, :, None]
     displacements = np.einsum("pbcn,pmn->pmbc", scene.motions, shapes).reshape(count, modes, -1)
     return displacements, shapes[:, :, [scene.coordinates.index(name) for name in turning_coordinates]]
+
+
+def _rounded_sigmas(sigmas: Array) -> list[list[float | None]]:
+    """Return standard deviations with six digits; None where there is none."""
+    return [[float(f"{sigma:.6g}") if sigma > 0.0 else None for sigma in row] for row in sigmas.tolist()]
 
 
 def _surface_data(scene: Scene, surface: Surface | None) -> dict[str, Any] | None:

@@ -12,6 +12,7 @@ from pkmodes.core.base.errors import PoseError
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.regular import regular_poses
 from pkmodes.core.model import Model
+from pkmodes.loop.sensitivity.spread import spread_of
 from pkmodes.machine.maps.workspace import (
     fixed_components,
     limits_test,
@@ -142,6 +143,7 @@ def poses_around(model: Model, pose: ArrayLike, *, drives: str | None = None) ->
     order = paired_modes(grid_scene.shapes, masses, places, rigid)
     return replace(
         grid_scene,
+        sigmas=spread_of(model, grid[valid], drives, "nan"),
         levels=levels,
         places=places,
         workspace=workspace(model, shown_pose, (low, high), is_inside),

@@ -11,19 +11,26 @@ from pkmodes_description import Element
 Array = NDArray[np.float64]
 #: Shapes of elements whose outlines enclose an area.
 AREA_SHAPES = ("wheel", "plate")
-#: Azimuth and elevation from which a spatial robot is seen, and elevation for a planar one [deg].
-AZIMUTH, ELEVATION, PLANAR_ELEVATION = -60.0, 18.0, 50.0
+#: Azimuth and elevation from which robots are seen, and flat ones that move in a plane [deg].
+AZIMUTH, ELEVATION = -60.0, 18.0
+FLAT_AZIMUTH, FLAT_ELEVATION = -81.0, 48.0
+#: A robot is flat whose height is below this fraction of its size.
+FLAT_FRACTION = 0.2
 
 
-def camera(scene: Scene) -> Array:
-    """Return the rotation to (right, up, towards the viewer), (3, 3)."""
-    planar = len(scene.directions) < 3
-    up = np.array([0.0, 0.0, 1.0]) if planar else scene.vertical
+def view_rotation(scene: Scene, turn: float = 0.0, rise: float = 0.0) -> Array:
+    """Return the rotation to (right, up, towards the viewer), (3, 3), for the usual direction of view, or one beside.
+
+    - turn, rise: by how much the viewer is further to the right, and higher [deg]
+    """
+    up = np.array([0.0, 0.0, 1.0]) if len(scene.directions) < 3 else scene.vertical
     side = np.cross(up, [1.0, 0.0, 0.0] if abs(up[0]) < 0.9 else [0.0, 1.0, 0.0])
     east = np.cross(side, up)
     east, side = east / np.linalg.norm(east), side / np.linalg.norm(side)
-    azimuth = np.radians(-90.0 if planar else AZIMUTH)
-    elevation = np.radians(PLANAR_ELEVATION if planar else ELEVATION)
+    height = float(np.ptp(scene.points[scene.chosen] @ up))
+    flat = len(scene.directions) < 3 and height < FLAT_FRACTION * scene.size
+    azimuth = np.radians((FLAT_AZIMUTH if flat else AZIMUTH) + turn)
+    elevation = np.radians((FLAT_ELEVATION if flat else ELEVATION) + rise)
     towards_viewer = (
         np.cos(elevation) * (np.cos(azimuth) * east + np.sin(azimuth) * side) + np.sin(elevation) * up
     )

@@ -100,6 +100,8 @@ class Scene:
         Lines of the head of a page, such as the customer.
     doing : str
         What the motors do, in words.
+    sigmas : ndarray, shape (N, m), optional
+        Standard deviations of the frequencies from those that the robot file states [Hz]; NaN where there is none.
     marked : frozenset of int
         Indices of the elements to mark: those of the part that a result names.
     """
@@ -143,6 +145,7 @@ class Scene:
     channels: tuple[Channel, ...] = ()
     head: tuple[tuple[str, str], ...] = ()
     doing: str = f"motors {FREE}"
+    sigmas: Array | None = None
     marked: frozenset[int] = frozenset()
 
     @property
@@ -171,6 +174,14 @@ class Scene:
         return tuple(
             f"about {component.name[-1]}" if component.unit == "rad" else component.name[-1]
             for component in self.platform
+        )
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """What moves along or about each of these components."""
+        return tuple(
+            self.moving_bodies[k] if k < len(self.moving_bodies) else self.moving_body
+            for k in range(len(self.moves))
         )
 
     def displacements(self, pose: int, mode: int) -> Array:

@@ -12,8 +12,9 @@ from html import escape
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.pages.view.camera import camera, hiding_plates
 from pkmodes.pages.view.measured_data import measured_data
-from pkmodes.pages.view.projection import camera, hull, rim
+from pkmodes.pages.view.projection import hull, rim
 from pkmodes.pages.view.scene import AMPLITUDE, Scene
 from pkmodes_description import Element
 
@@ -24,6 +25,8 @@ WIDTH, MIN_HEIGHT, MAX_HEIGHT, MARGIN = 800.0, 0.4, 0.9, 0.05
 #: width of a block, the radius of a ball, and the number of corners of the rim of a wheel.
 LINE_WIDTHS = {"rail": 0.006, "frame": 0.006, "belt": 0.0055, "arm": 0.012, "gantry": 0.012, "link": 0.006}
 DEFAULT_LINE_WIDTH, BLOCK_WIDTH, BALL_RADIUS, RIM_CORNERS = 0.005, 0.02, 0.009, 24
+#: Kinds of plates that do not move.
+FIXED_PLATES = ("base", "frame")
 #: Colours of strain energy shares from 0 to 100 %, as in palette.js.
 LIGHT_SCALE = ("#c5cdd6", "#f0b340", "#d9570d", "#7d0d0d")
 DARK_SCALE = ("#4a5663", "#a34d12", "#f2902c", "#ffe89a")
@@ -35,7 +38,7 @@ def still_svg(scene: Scene) -> str:
     factor = scene.scale(pose, mode) * AMPLITUDE * scene.size
     rest_points = scene.points[pose]
     displaced = rest_points + factor * scene.displacements(pose, mode)
-    view = camera(scene)
+    view, clear_plates = camera(scene), hiding_plates(scene)
     platform_motion = (displaced - rest_points)[0]
     arrow = np.stack([rest_points[0] - platform_motion, rest_points[0] + platform_motion])
     view_points = np.concatenate([rest_points, displaced, arrow]) @ view.T
@@ -76,7 +79,9 @@ def still_svg(scene: Scene) -> str:
                     _line(rim_points[[k, k + half]], "spoke", 0.002) for k in (0, half // 2) if element.turns
                 ]
         elif element.shape == "plate":
-            svg_elements.append(_area(hull(project(positions)), "plate", colour))
+            plate_kind = "plate clear" if i in clear_plates else "plate"
+            plate_kind = "plate fixed" if element.kind in FIXED_PLATES else plate_kind
+            svg_elements.append(_area(hull(project(positions)), plate_kind, colour))
         elif element.shape == "ball":
             svg_elements.append(_dot(project(positions[:1])[0], "plate", BALL_RADIUS, colour))
         elif element.shape == "block":

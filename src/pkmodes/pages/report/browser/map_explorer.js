@@ -22,6 +22,7 @@ class MapExplorer extends MapPicture {
     if (this.poseIndex >= 0) this.indices = map.withPose(startIndices, this.poseIndex);
     this.addListeners();
     this.refresh();
+    this.moveMachine();
   }
 
   // Index of the evaluable pose whose indices are nearest to those given, and equal to them on `fixedAxes`.
@@ -55,6 +56,7 @@ class MapExplorer extends MapPicture {
       const button = event.target.closest("button");
       if (button) this.moveTo(Number(button.dataset.poseIndex));
     });
+    document.addEventListener("pkmodes-viewer", () => this.moveMachine());
     document.addEventListener("pkmodes-moved", (event) => this.followMachine(event.detail.pose));
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.draw());
     let width = 0;
@@ -73,7 +75,12 @@ class MapExplorer extends MapPicture {
     this.requestedIndices = null;
     this.refresh();
     this.announcePose();
-    document.dispatchEvent(new CustomEvent("pkmodes-pose", { detail: { pose: this.map.pose(poseIndex) } }));
+    this.moveMachine();
+  }
+
+  moveMachine() {
+    if (this.poseIndex < 0) return;
+    document.dispatchEvent(new CustomEvent("pkmodes-pose", { detail: { pose: this.map.pose(this.poseIndex) } }));
   }
 
   // The machine was moved elsewhere on the page: the cursor goes to the nearest pose.

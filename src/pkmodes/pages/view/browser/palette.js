@@ -17,7 +17,7 @@ const PALETTES = {
 };
 // Name of the colour in a palette for each kind of element.
 const COLOUR_OF_KIND = {
-  rail: "rail", frame: "base", carriage: "carriage", toolhead: "platform", link: "link", arm: "arm", axle: "link", shaft: "rail",
+  rail: "rail", frame: "base", carriage: "carriage", toolhead: "platform", bed: "platform", link: "link", arm: "arm", axle: "link", shaft: "rail",
   platform: "platform", base: "base", pulley: "wheel", idler: "wheel", motor: "wheel", reducer: "wheel",
   gantry: "gantry", body: "body",
 };

@@ -15,6 +15,45 @@ function largestSharesText(shares, springs) {
   return `${formatFixed(100 * largest, 0)} % of the strain energy in ${springNames}`;
 }
 
+// What moves, and where to, as in mode_words.py: what rounds to 0 is left out.
+function motionText(bodies, components, direction) {
+  const moving = direction.map((_, k) => k).filter((k) => formatFixed(direction[k], 2) !== formatFixed(0, 2));
+  if (!moving.length) {
+    const names = [...new Set(bodies)];
+    return names.length > 1 ? `${names.slice(0, -1).join(", ")} and ${names.at(-1)} do not move` : `${names[0]} does not move`;
+  }
+  return [...new Set(moving.map((k) => bodies[k]))].map((body) => {
+    const verbs = [["moves along", false], ["turns about", true]].map(([verb, isTurn]) => {
+      const parts = moving.filter((k) => bodies[k] === body && components[k].startsWith("about") === isTurn);
+      const shares = parts.map((k) => components[k].replace("about ", "") + (moving.length > 1 ? ` ${formatFixed(direction[k], 2)}` : ""));
+      return shares.length ? `${verb} ${shares.join(", ")}` : "";
+    });
+    return `${body} ${verbs.filter(Boolean).join(" and ")}`;
+  }).join("; ");
+}
+
+// Which vibration modes have the frequency of one, as in mode_words.py: their shapes are then only examples.
+function coincidenceText(frequencies, rigid, mode) {
+  const tolerance = SAME_FREQUENCY * Math.abs(frequencies[mode]);
+  const partners = frequencies.map((_, k) => k).filter(
+    (k) => k >= rigid && k !== mode && Math.abs(frequencies[k] - frequencies[mode]) <= tolerance,
+  ).map((k) => k - rigid + 1);
+  if (!partners.length) return "";
+  const isOne = partners.length === 1, numbers = isOne ? partners[0] : `${partners.slice(0, -1).join(", ")} and ${partners.at(-1)}`;
+  return `; mode${isOne ? "" : "s"} ${numbers} ${isOne ? "has" : "have"} the same frequency: any mixture is a mode, too`;
+}
+
+// What gravity makes of a motion that strains no spring.
+function gravityText(frequency) {
+  if (Math.abs(frequency) < 0.005) return "";
+  return frequency > 0 ? `; with gravity it swings at ${formatFixed(frequency, 2)} Hz` : "; with gravity it falls away";
+}
+
+// Decimals of a value beside its standard deviation, which has two digits.
+function decimalsOf(sigma) {
+  return Math.max(0, Math.min(4, 1 - Math.floor(Math.log10(sigma))));
+}
+
 // At most so many decimals, without zeros at the end.
 function formatRounded(value, digits) {
   return String(Number(value.toFixed(digits)) + 0).replace("-", "\u2212");
@@ -39,6 +78,10 @@ function formatFixed(value, digits) {
 
 // Shares of the strain energy that differ by less count as equal, as in page.py.
 const EQUAL_SHARE_TOLERANCE = 0.0005;
+// The frequency of a motion that strains no spring, as in mode_words.py.
+const RIGID_FREQUENCY = "0 Hz";
+// Relative difference of frequencies that are one, as in mode_words.py.
+const SAME_FREQUENCY = 1e-5;
 // Amplitude, as a share of the robot's size, from which a note explains the exaggeration.
 const LARGE_AMPLITUDE = 0.1;
 
@@ -68,7 +111,7 @@ class Panel {
       this.find("between").textContent = state.exact ? computed : this.interpolationText(state);
     }
     this.findAll("frequency").forEach((part) => {
-      part.textContent = this.frequencyText(state, Number(part.dataset.mode));
+      part.textContent = this.frequencyText(state, Number(part.dataset.mode), "sigma" in part.dataset);
     });
     this.findAll("share").forEach((cell) => {
       const shares = state.shares[Number(cell.dataset.mode)];  // null where no spring is strained
@@ -111,12 +154,16 @@ class Panel {
     return `Interpolated between computed ${kind}: ${note ? `${note}, ` : ""}frequencies are off by ${size} %.`;
   }
 
-  // A frequency; an interpolated one only with the decimals that its error allows.
-  frequencyText(state, mode) {
-    const value = state.frequencies[mode];
-    if (state.exact) return `${formatFixed(value, 2)} Hz`;
-    const error = state.deviation === null ? 1 : state.deviation;
-    return `\u2248 ${formatFixed(value, error > 0.01 ? 0 : error > 0.0005 ? 1 : 2)} Hz`;
+  // A frequency, rounded by its standard deviation, and an interpolated one by its error; 0 for a rigid-body motion,
+  // as in mode_words.py.
+  frequencyText(state, mode, withSigma = false) {
+    const value = state.frequencies[mode], sigma = state.sigmas ? state.sigmas[mode] : null;
+    if (!state.shares[mode]) return RIGID_FREQUENCY;
+    if (value < 0) return "unstable";
+    const error = state.exact ? 0 : state.deviation === null ? 1 : state.deviation;
+    const decimals = Math.min(sigma ? decimalsOf(sigma) : 2, error > 0.01 ? 0 : error > 0.0005 ? 1 : 4);
+    const sigmaText = sigma && withSigma ? ` \u00b1 ${formatFixed(sigma, decimals)}` : "";
+    return `${state.exact ? "" : "\u2248 "}${formatFixed(value, decimals)}${sigmaText} Hz`;
   }
 
   // Show the title, the strain energy and the direction of the chosen mode; `announce` also sets the status line.
@@ -124,18 +171,20 @@ class Panel {
     const { data } = this, frequency = state.frequencies[mode];
     const number = mode - data.rigid + 1, shares = state.shares[mode];
     const name = number > 0 ? `Mode ${number}` : `Rigid-body motion ${mode + 1}`;
-    const directionText = state.directions[mode].map((c, i) => `${data.components[i]} ${formatFixed(c, 2)}`).join(", ");
-    const sharesText = shares ? largestSharesText(shares, data.springs) : "no spring is strained";
-    this.find("title").textContent = `${name}: ${this.frequencyText(state, mode)}`;
+    const motion = motionText(data.bodies, data.components, state.directions[mode]);
+    const sameText = state.exact && number > 0 ? coincidenceText(state.frequencies, data.rigid, mode) : "";
+    const sharesText = shares ? largestSharesText(shares, data.springs) + sameText : "no spring is strained";
+    const frequencyText = this.frequencyText(state, mode, true);
+    this.find("title").textContent = `${name}: ${frequencyText}`;
     this.find("held").textContent = sharesText;
-    this.find("along").textContent = directionText;
+    this.find("motion").textContent = motion[0].toUpperCase() + motion.slice(1);
     this.root.querySelectorAll("[data-column]").forEach((cell) => {
       cell.classList.toggle("pkview-chosen", Number(cell.dataset.column) === mode);
     });
-    const gravityNote = number > 0 ? "" : ". Gravity alone gives it a frequency; a negative one means that it falls away";
+    const gravityNote = shares ? "" : gravityText(frequency);
     const shapeNote = state.shapesDiffer[mode] ? " Shape of the nearest computed pose: there is none like it at all poses around." : "";
-    if (announce) this.find("status").textContent = `${name}, ${this.frequencyText(state, mode)}: ${sharesText}${gravityNote}.${shapeNote}`;
-    this.showMotion(frequency, amplitude);
+    if (announce) this.find("status").textContent = `${name}, ${frequencyText}: ${sharesText}${gravityNote}.${shapeNote}`;
+    this.showMotion(shares ? frequency : 0, amplitude);
   }
 
   // Show the measured frequencies at the pose, and the components of the chosen mode as measured and in the model.
@@ -167,18 +216,20 @@ class Panel {
   showDeclared(state, mode, states) {
     if (!this.data.varied) return;
     this.findAll("beside").forEach((part) => {
-      part.textContent = `declared ${formatFixed(states.declaredMode(state, Number(part.dataset.mode)).frequency, 2)}`;
+      const partMode = Number(part.dataset.mode), declared = states.declaredMode(state, partMode).frequency;
+      part.textContent = partMode < this.data.rigid ? "" : `declared ${formatFixed(declared, 2)}`;
       part.classList.add("pkview-without");
     });
     const { frequency } = states.declaredMode(state, mode), change = state.frequencies[mode] / frequency - 1;
     const isKnown = Number.isFinite(change) && mode >= this.data.rigid;
     const changeText = isKnown ? ` (${change > 0 ? "+" : ""}${formatFixed(100 * change, 1)} %)` : "";
-    this.find("declared").textContent = `, ${formatFixed(frequency, 2)} Hz${changeText}`;
+    const frequencyText = mode < this.data.rigid ? RIGID_FREQUENCY : `${formatFixed(frequency, 2)} Hz`;
+    this.find("declared").textContent = `, ${frequencyText}${changeText}`;
   }
 
   // Frequency and standard deviation, with two digits of the latter.
   measuredFrequencyText(measured) {
-    const digits = Math.max(0, Math.min(4, 1 - Math.floor(Math.log10(measured.sigma))));
+    const digits = decimalsOf(measured.sigma);
     return `${formatFixed(measured.frequency, digits)} \u00b1 ${formatFixed(measured.sigma, digits)}`;
   }
 

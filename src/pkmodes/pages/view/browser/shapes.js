@@ -3,6 +3,8 @@
 // for an element that is no spring.
 
 const Y = new T.Vector3(0, 1, 0);
+// Opacity of a plate that would hide springs from the usual direction.
+const CLEAR_OPACITY = 0.45;
 
 // Point i of a flat list of coordinates.
 function pointAt(points, i) {
@@ -142,7 +144,8 @@ class Plate {
     this.element = element;
     this.size = size;
     this.vertical = vertical;
-    this.material = createMaterial({ side: T.DoubleSide });
+    const clear = { transparent: true, opacity: CLEAR_OPACITY, depthWrite: false }; // a spring behind shines through
+    this.material = createMaterial({ side: T.DoubleSide, ...(element.clear ? clear : {}) });
     this.group = new T.Group();
     this.slab = mesh(new T.BufferGeometry(), this.material);
     this.disc = mesh(new T.CylinderGeometry(1, 1, 1, 40), this.material);

@@ -121,20 +121,9 @@ class Stage {
     return { centre: low.clone().add(high).divideScalar(2), extent: high.clone().sub(low), lowest };
   }
 
-  // Look at a flat robot along its normal, at any other from the front, a little from above and from the right.
+  // Look from the direction of the still pictures.
   resetView() {
-    const { extent } = this.bounds(), [side, front] = this.horizontalDirections();
-    const sizes = ["x", "y", "z"].map((k) => extent[k]), thinnest = sizes.indexOf(Math.min(...sizes));
-    const isFlat = sizes[thinnest] < 0.15 * Math.max(...sizes), normal = new T.Vector3().setComponent(thinnest, 1);
-    const direction = new T.Vector3();
-    if (isFlat && Math.abs(normal.dot(this.vertical)) > 0.9) {
-      direction.copy(this.vertical).addScaledVector(front, -0.9).addScaledVector(side, 0.14);
-    } else if (isFlat) {
-      direction.copy(normal).addScaledVector(this.vertical, 0.18).addScaledVector(side, 0.25);
-    } else {
-      direction.copy(front).multiplyScalar(-1).addScaledVector(side, 0.75).addScaledVector(this.vertical, 0.5);
-    }
-    this.fitCamera(direction.normalize());
+    this.fitCamera(new T.Vector3(...this.data.towards).normalize());
     this.controls.update();
     this.dirty = true;
   }
@@ -261,15 +250,16 @@ class Stage {
     const importances = new Map();  // largest share of the strain energy of the springs that a label names
     for (const e of this.data.elements.filter((element) => element.spring >= 0)) {
       const indices = e.shape === "wheel" ? e.points.slice(0, 1) : e.points;
-      importances.set(e.name, Math.max(importances.get(e.name) || 0, shares ? shares[e.spring] : 0));
+      const spring = this.data.springs[e.spring], label = e.name.endsWith(spring) ? spring : e.name; // as in the table
+      importances.set(label, Math.max(importances.get(label) || 0, shares ? shares[e.spring] : 0));
       for (const p of indices.map((i) => pointAt(points, i))) {
-        const isOutermost = !positions.has(e.name) || p.distanceTo(centre) > positions.get(e.name).distanceTo(centre) + 1e-9;
-        if (isOutermost) positions.set(e.name, p);
+        const isOutermost = !positions.has(label) || p.distanceTo(centre) > positions.get(label).distanceTo(centre) + 1e-9;
+        if (isOutermost) positions.set(label, p);
       }
     }
     positions.forEach((position, name) => {
       position.addScaledVector(position.clone().sub(centre).normalize(), 0.05 * this.data.size);
-      this.labels.add(Object.assign(labelSprite(name, this.palette, position), { importance: importances.get(name) }));
+      this.labels.add(Object.assign(labelSprite(name, this.palette, position), { name, importance: importances.get(name) }));
     });
   }
 

@@ -88,6 +88,7 @@ class States {
     return {
       exact: true, nearest: state, gridPosition: this.positions.get(state) || null, tracks: this.tracks[state] || null,
       pose: data.poses[state], points: data.points[state], frequencies: data.frequencies[state],
+      sigmas: data.sigmas ? data.sigmas[state] : null,
       displacements: data.moved[state], rotations: data.turned[state], shares: data.shares[state],
       directions: data.directions[state], shapesDiffer: data.frequencies[state].map(() => false),
     };
@@ -105,7 +106,7 @@ class States {
     const ofModes = (key) => sorted.map((mode) => mode[key]);
     return {
       exact: false, nearest, gridPosition: position, pose: mean(data.poses), points, deviation: this.deviation(position),
-      frequencies: ofModes("frequency"), displacements: ofModes("displacements"), rotations: ofModes("rotations"),
+      frequencies: ofModes("frequency"), sigmas: data.sigmas ? ofModes("sigma") : null, displacements: ofModes("displacements"), rotations: ofModes("rotations"),
       shares: ofModes("shares"), directions: ofModes("directions"), tracks: ofModes("track"),
       shapesDiffer: ofModes("shapesDiffer"),
     };
@@ -133,6 +134,7 @@ class States {
     const isVibration = track >= data.rigid, shapesDiffer = isVibration && cornerModes.some(({ mac }) => mac < MIN_MAC);
     const mode = {
       frequency: meanFrequency(cornerModes.map(({ s, m, weight }) => [data.frequencies[s][m], weight])), shapesDiffer, track,
+      sigma: data.sigmas ? cornerModes.reduce((sum, { s, m, weight }) => sum + weight * data.sigmas[s][m], 0) : null,
       displacements: data.moved[nearest][nearestMode], rotations: data.turned[nearest][nearestMode],
       shares: data.shares[nearest][nearestMode], directions: data.directions[nearest][nearestMode],
     };

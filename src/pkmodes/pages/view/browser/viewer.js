@@ -2,6 +2,8 @@
 
 // Size of the copy of the picture for printing [px].
 const PRINT_SIZE = [1600, 620];
+// Poses that differ by less in every component are one [m or rad]: data have six decimals.
+const POSE_TOLERANCE = 2e-6;
 
 class Viewer {
   constructor(root, json) {
@@ -24,6 +26,7 @@ class Viewer {
     this.panel.showDeclared(this.state, this.mode, this.states);
     this.panel.showPlaying(this.isPlaying);
     if (this.stage) this.run();
+    document.dispatchEvent(new CustomEvent("pkmodes-viewer")); // a map of the page says where its cursor is
   }
 
   // Index of the evaluated state that is shown or is nearest to the one shown.
@@ -155,6 +158,7 @@ class Viewer {
   moveToPose(values) {
     const { data, states } = this, { poses } = data;
     if (data.varied || values.length !== poses[0].length) return;
+    if (values.every((value, i) => Math.abs(value - this.state.pose[i]) < POSE_TOLERANCE)) return;
     if (data.levels) {
       this.select(states.stateAt(states.nearestReachable(states.gridPositionOf(values))), this.mode);
       return;
@@ -201,7 +205,7 @@ class Viewer {
   }
 
   refresh() {
-    this.panel.showMotion(this.state.frequencies[this.mode], this.amplitude);
+    this.panel.showMotion(this.state.shares[this.mode] ? this.state.frequencies[this.mode] : 0, this.amplitude);
     this.draw();
   }
 
@@ -219,7 +223,7 @@ class Viewer {
     };
     if (!this.stage || !actions[event.key] || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
-    this.viewTurned = event.key !== "Home" && event.key !== "0";
+    if (event.key !== " ") this.viewTurned = event.key !== "Home" && event.key !== "0";
     actions[event.key]();
   }
 
