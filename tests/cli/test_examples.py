@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import shutil
 import subprocess
+import tomllib
 from pathlib import Path
 
 import pytest
 
 from helpers.commands.answers import answer, printed, refused
 from helpers.runs.processes import ROOT
+from pkmodes import read_robot
 from pkmodes.cli.examples import CATALOGUE
 from pkmodes.loop.robot_files import supplied
 
@@ -107,3 +109,14 @@ def test_every_committed_file_is_one_that_is_written() -> None:
     if listed.returncode:
         pytest.skip("this is no clone")
     assert set(listed.stdout.split()) == committed().keys()
+
+
+def test_the_motors_of_a_robot_do_in_use_what_they_did_in_its_test() -> None:
+    """Except where the motors of its file are springs, which is a state of free motors."""
+    campaigns = sorted((ROOT / "examples").glob("*/campaign.toml"))
+    assert len(campaigns) >= 5
+    for file in campaigns:
+        campaign = tomllib.loads(file.read_text(encoding="utf-8"))
+        robot = read_robot(file.parent / "robot.toml")
+        has_springs = any(name.startswith("servo_stiffness.") for name in robot.effects)
+        assert robot.drives == ("free" if has_springs else campaign.get("drives", "free")), file

@@ -85,13 +85,15 @@ def test_every_candidate_with_a_kind_is_one_of_some_mechanism() -> None:
 
 
 def test_the_value_of_one_axis_shares_the_kind_of_all() -> None:
-    of_all, of_one, other = with_kinds(
+    candidates = [
         Candidate(name, (name,))
-        for name in ("parameter:belt.width", "parameter:axis.2.belt.width", "payloads")
-    )
+        for name in ("parameter:belt.width", "parameter:axis.2.belt.width", "payloads", "payload")
+    ]
+    of_all, of_one, other, payload = with_kinds(candidates, registry.mechanism("corexy"))
     assert of_all.kind == of_one.kind != ""
     assert (of_all.part, of_one.part) == ("width", "width of axis 2")
     assert (other.kind, other.part) == ("", "")
+    assert payload.kind == "another mass at the tool head"
 
 
 def two_alike(usual: tuple[float, float] | None) -> Diagnosis:

@@ -23,6 +23,11 @@ from pkmodes_rig.signals.small_motion import Losses
 from pkmodes_rig.signals.visits import Machine, Wander
 
 SEED = 24
+#: The state of the motors follows the mechanism in the robot file.
+MECHANISM_LINE = 'mechanism = "linear_delta"\n'
+HELD_LINE = (
+    'drives = "held"                     # as in use and in the tests: the controller holds the motors\n'
+)
 #: What the robot file does not say: how much each linkage stretches [m/N].
 EFFECTS = {"link_compliance.compliance": 4e-7}
 #: True over declared values.
@@ -46,7 +51,9 @@ def robot_text(name: str = "tapped-delta") -> str:
     return (
         "# The published linear delta as a test engineer would declare it: four values have an uncertainty.\n"
         "# Something in it is more compliant than this file says, and something rubs: README.md.\n\nformat = 1"
-        + text.replace('name = "linear-delta-2022"', f'name = "{name}"')
+        + text.replace('name = "linear-delta-2022"', f'name = "{name}"').replace(
+            MECHANISM_LINE, MECHANISM_LINE + HELD_LINE
+        )
         + '\n[damping]                    # of bolted joints, roughly\nratio = { value = "0.5 %", sigma = "50 %" }\n'
     )
 

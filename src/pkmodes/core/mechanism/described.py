@@ -11,6 +11,7 @@ from importlib.resources import files
 from types import ModuleType
 
 import msgspec
+from msgspec import structs
 
 from pkmodes_description import FILE_NAME, Description, Effect, Key, Table, decode
 
@@ -66,10 +67,24 @@ class Mechanism(Description, frozen=True, eq=False, dict=True, kw_only=True):
         body = self.moving_body()
         return f"{body} move" if len(set(self.moving_bodies)) > 1 else f"{body} moves"
 
+    def in_own_words(self, text: str) -> str:
+        """Return a text on any mechanism with what moves in this one in place of "the platform"."""
+        if not self.moving_bodies:
+            return text
+        bodies = " and ".join(f"the {body}" for body in dict.fromkeys(self.moving_bodies))
+        return text.replace("the platform centre", f"the centre of {bodies}").replace("the platform", bodies)
+
     @cached_property
     def effects(self) -> dict[str, Effect]:
-        """The effects that apply by name, in the order of the generated model."""
-        return {effect.name: effect for effect in self.effects_in_order}
+        """The effects that apply by name, in the order of the generated model and in words of this mechanism."""
+        return {effect.name: self._effect_in_own_words(effect) for effect in self.effects_in_order}
+
+    def _effect_in_own_words(self, effect: Effect) -> Effect:
+        parameters = tuple(
+            structs.replace(parameter, description=self.in_own_words(parameter.description))
+            for parameter in effect.parameters
+        )
+        return structs.replace(effect, sentence=self.in_own_words(effect.sentence), parameters=parameters)
 
     @cached_property
     def conservative_effects(self) -> dict[str, Effect]:

@@ -82,7 +82,7 @@ BY_PATH = {
         "push one end of the beam along its guides with a known force: the difference of two dial gauges over their "
         "distance is the angle; divide it by force times distance to the middle"
     ),
-    "effects.payload.mass": MeasuringMethod("weigh what the platform carries"),
+    "effects.payload.mass": MeasuringMethod("weigh the payload"),
 }
 #: How to find other values, by dimension (`pkmodes_description.UNITS`).
 BY_DIMENSION = {

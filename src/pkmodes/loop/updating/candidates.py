@@ -87,7 +87,7 @@ def suspects(
     priors = priors_of(robot)
     parameters = [_parameter(robot, path, priors.get(path.path, Prior())) for path in parameter_paths]
     parameters += [parameter for parameter in frame_parameters if parameter.name in frame_names]
-    return parameters, with_kinds(candidates), {path.path: path for path in parameter_paths}
+    return parameters, with_kinds(candidates, robot.mechanism), {path.path: path for path in parameter_paths}
 
 
 def _without_set_values(

@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import replace
 
+from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.loop.diagnosis.problem import Candidate
 
 #: Kinds, each with its candidates and their distinguishing words.  A candidate of a single axis or belt is described
@@ -48,14 +49,16 @@ KINDS: dict[str, dict[str, str]] = {
 ENTRY = re.compile(r"^parameter:(\w+)\.(\d+)\.")
 
 
-def with_kinds(candidates: Iterable[Candidate]) -> list[Candidate]:
-    """Return candidates with the words for what they share."""
+def with_kinds(candidates: Iterable[Candidate], mechanism: Mechanism) -> list[Candidate]:
+    """Return candidates with the words for what they share, in those of their mechanism."""
     described = []
     for candidate in candidates:
         name, entry = ENTRY.sub("parameter:", candidate.name), ENTRY.match(candidate.name)
         entry_words = f" of {entry[1].replace('_', ' ')} {entry[2]}" if entry else ""
         kind = next((kind for kind, parts in KINDS.items() if name in parts), "")
         described.append(
-            replace(candidate, kind=kind, part=KINDS[kind][name] + entry_words) if kind else candidate
+            replace(candidate, kind=mechanism.in_own_words(kind), part=KINDS[kind][name] + entry_words)
+            if kind
+            else candidate
         )
     return described

@@ -113,15 +113,18 @@ def _inspection_entries(result: Diagnosis, context: ReportContext) -> Iterator[E
 
 def _inspection_advice(name: str, result: Diagnosis, context: ReportContext) -> str:
     """Return where to look for a cause; its sentence if no advice is listed."""
-    _, colon, advice = ADVICE_BY_CAUSE.get(name, "").partition(": ")
+    listed_advice = ADVICE_BY_CAUSE.get(name, "")
+    if context.robot is not None:
+        listed_advice = context.robot.mechanism.in_own_words(listed_advice)
+    _, colon, advice = listed_advice.partition(": ")
     if name in result.alone:
         joint_change = result.alone[name]
         return f"{joint_change.joint.words}, which is {joint_change.comparison}{colon}{advice}"
     contrasts = [contrast_of_parts(effect, context) for effect in result.effects if effect.name == name]
     if contrasts and contrasts[0] is not None:
         return f"{contrasts[0].part}, which is {contrasts[0].comparison}{colon}{advice}"
-    if name in ADVICE_BY_CAUSE:
-        return ADVICE_BY_CAUSE[name]
+    if listed_advice:
+        return listed_advice
     term_class = claimed_term_class(result)
     if term_class and term_class.forms.get(name, DECLARED) not in ("", DECLARED):
         return f"look for {clean(term_class.finding.member(name).words)}"
