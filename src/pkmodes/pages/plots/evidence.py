@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 #: Names of the stages of a model.
 DECLARED, REFITTED, CORRECTED = "as declared", "refitted", "with the cause"
-WITH_TERM = "with what was found"
+WITH_TERM, CHANGED = "with what was found", "with what changed"
 
 
 @dataclass(frozen=True)
@@ -150,16 +150,16 @@ def _stages(result: Diagnosis | Comparison) -> tuple[ModelStage, ...]:
     predictions = result.stages
     if predictions is None:
         return ()
-    declared, refitted, corrected = (
-        (DECLARED, REFITTED, CORRECTED + ("s" if len(result.effects) > 1 else ""))
+    declared, refitted, corrected, with_term = (
+        (DECLARED, REFITTED, CORRECTED + ("s" if len(result.effects) > 1 else ""), WITH_TERM)
         if not isinstance(result, Change)
-        else (f"as in {result.states[0]}", f"as in {result.states[0]}, on another day", "with what changed")
+        else (f"as in {result.states[0]}", f"as in {result.states[0]}, on another day", CHANGED, CHANGED)
     )
     stages = [ModelStage("before", declared, predictions.before)]
     if predictions.after is not None:
         stages.append(ModelStage("after", corrected, predictions.after))
     elif predictions.beyond is not None:
-        stages.append(ModelStage("beyond", WITH_TERM, predictions.beyond))
+        stages.append(ModelStage("beyond", with_term, predictions.beyond))
     elif predictions.refit is not None:
         stages.append(ModelStage("refit", refitted, predictions.refit))
     return tuple(stages)

@@ -121,7 +121,7 @@ def _draw_marked_frequencies(
 ) -> None:
     """Draw a line for each mode, with its number above, and for each mode struck out and each tone."""
     line_kinds: list[tuple[str, list[float], dict[str, Any]]] = [
-        ("mode", [f for f, _, added in marked_frequencies.modes if not added], {"color": INK, "alpha": 0.45}),
+        ("mode", [f for f, _, added in marked_frequencies.modes if not added], {"color": INK, "alpha": 0.9}),
         (
             "added",
             [f for f, _, added in marked_frequencies.modes if added],

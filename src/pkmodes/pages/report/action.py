@@ -196,7 +196,7 @@ def _effect_on_frequencies(result: Diagnosis) -> list[Cell]:
         label_cell(row.pose),
         Cell("goes from"),
         frequency_cell(row.before, pointer("rows", i, "before_hz")),
-        Cell("Hz as declared to"),
+        Cell(f"Hz {result.errors['before'][0].removeprefix('before: ')} to"),
         frequency_cell(getattr(row, stage_key), pointer("rows", i, f"{stage_key}_hz")),
         Cell(f"Hz{new_modes_clause}."),
     ]

@@ -76,10 +76,9 @@ def _summary(identified: Identification, campaign: Campaign) -> Summary:
         for sentence_start, places_to_check in points_to_check
     ]
     notes = [clean(note) for note in (*sentences, *identified.messages)]
-    # A sentence that lists several modes or poses counts as that many points.
-    point_count = sum(len(places_to_check) for _, places_to_check in points_to_check) + len(
-        identified.messages
-    )
+    # A mode or a pose in several sentences is one point.
+    places = {place for _, places_to_check in points_to_check for place in places_to_check}
+    point_count = len(places) + len(identified.messages)
     # Where the modes come from, and what limits their accuracy.
     files = sum(
         sum(map(len, result.record.setups.values())) - len(result.left_out) for result in identified.records
@@ -97,17 +96,10 @@ def _summary(identified: Identification, campaign: Campaign) -> Summary:
     share = (
         "every mode" if dominant_count == len(modes) else f"{dominant_count} of {plural(len(modes), 'mode')}"
     )
-    poses_with_messages = [result.record.pose for result in identified.records if result.messages]
     reason = (
         f"From {plural(files, 'file')}. The largest part of a frequency's standard deviation is "
         f"{part_names[dominant]} in {share}."
     )
-    if poses_with_messages:
-        has_one = len(poses_with_messages) == 1
-        verb, sections = ("has", "its section") if has_one else ("have", "their sections")
-        reason += (
-            f" {listed(poses_with_messages, MAX_PLACES_NAMED)} {verb} messages of the signals, in {sections}."
-        )
     subject = "Structure" if campaign.model is None else shorten(campaign.model.robot.name)
     if campaign.model is not None:
         drives = [result.record.drives for result in identified.records]
@@ -206,6 +198,10 @@ def _points_to_check(identified: Identification) -> list[tuple[str, list[str]]]:
             ),
         ),
         (f"Modes that the sensors hardly tell apart (MAC above {MAX_DISTINCT_MAC:g}):", similar_modes),
+        (
+            "Messages on the signals, in the section of each pose:",
+            [result.record.pose for result in identified.records if result.messages],
+        ),
         (
             "A single file, so that the scatter of repeats is unknown:",
             [

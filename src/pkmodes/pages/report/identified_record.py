@@ -134,7 +134,8 @@ def modes_table(index: int, modes: Sequence[Mapping[str, Any]]) -> Table:
         ]
         for key, sigma in mode["sigma_parts"].items():  # two significant digits, zeros among them
             form = "#.2g" if sigma is None or 0.0 < sigma < 9.95 else ".0f"
-            cells.append(number_cell(sigma, form, pointer(*mode_keys, "sigma_parts", key)))
+            known = None if key == "scatter" and mode["files"] == 1 else sigma  # one file has no scatter
+            cells.append(number_cell(known, form, pointer(*mode_keys, "sigma_parts", key)))
         if has_damping:
             cells.append(_damping_cell(mode, mode_keys))
         cells += (

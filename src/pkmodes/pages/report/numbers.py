@@ -5,12 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from pkmodes.core.support.ordering import listed, sorted_labels
+from pkmodes.loop.diagnosis.states.result import Change
 from pkmodes.loop.diagnosis.verdict.findings import MIN_NOTICEABLE_RATIO, Corrected
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis, parameter_key
 from pkmodes.loop.diagnosis.verdict.rows import Error
 from pkmodes.pages.plots import correlations as dependence
 from pkmodes.pages.plots import scores
-from pkmodes.pages.plots.evidence import WITH_TERM
+from pkmodes.pages.plots.evidence import CHANGED, WITH_TERM
 from pkmodes.pages.report.blocks import Cell, Column, Paragraph, Picture, Table
 from pkmodes.pages.report.certainty import claimed_term_class
 from pkmodes.pages.report.formatting import (
@@ -33,7 +34,8 @@ def error_blocks(result: Diagnosis) -> list[Table | Paragraph]:
     """Return the errors of the stages, over fitted and held-out rows."""
     stages = [(title, error, pointer("error", name)) for name, (title, error) in result.errors.items()]
     if (found := error_with_term(result)) is not None:
-        stages.append((f"after: {WITH_TERM} beyond the catalogue", *found))
+        title = CHANGED if isinstance(result, Change) else f"after: {WITH_TERM} beyond the catalogue"
+        stages.append((title, *found))
     rows = []
     for title, error, error_pointer in stages:
         is_last, held_out_rms = error is stages[-1][1], error.held_out_rms_relative
