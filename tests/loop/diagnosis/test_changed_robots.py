@@ -13,10 +13,10 @@ import pytest
 from helpers.commands.answers import answer
 from pkmodes import read_robot, updating
 from pkmodes.core.base.errors import MeasurementError, PkmodesError
-from pkmodes.loop.diagnosis.criteria import Criteria
-from pkmodes.loop.diagnosis.states.counterparts import close_groups, expected_modes, pair_with_expected
+from pkmodes.loop.diagnosis.states.counterparts import expected_modes, pair_with_expected
 from pkmodes.loop.diagnosis.states.shared_shapes import corrected_shapes
 from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.measured.same_modes import close_groups
 from pkmodes.loop.measured.writing import as_csv
 from pkmodes.loop.updating.changes import exchange_candidates
 from pkmodes.loop.updating.measured_robot import MeasuredRobot
@@ -213,7 +213,7 @@ def test_modes_are_paired_with_what_was_measured_before() -> None:
     )
     assert expected.trusted_row.tolist() == [0, 1, -1]
     later = one_setup([51.5, 56.8, 101.0])
-    pairs = pair_with_expected(expected, later, np.arange(3), np.zeros(0), Criteria().pairing)
+    pairs = pair_with_expected(expected, later, np.arange(3), np.zeros(0))
     assert sorted(pairs) == [(0, 0), (1, 1), (2, 2)]
 
 
@@ -221,7 +221,7 @@ def test_a_mode_missed_before_is_not_taken_for_another() -> None:
     """86.5 Hz were measured before; 66.5 Hz, a mode of the model that was missed then, is not that one."""
     trusted = one_setup([86.5])
     expected = expected_modes(np.log([66.0, 86.0]), 0.02, np.zeros((2, 0)), trusted, (), np.array([1]), 0)
-    (pair,) = pair_with_expected(expected, one_setup([66.5]), np.arange(1), np.zeros(0), Criteria().pairing)
+    (pair,) = pair_with_expected(expected, one_setup([66.5]), np.arange(1), np.zeros(0))
     assert pair == (0, 0)
     assert expected.trusted_row[0] == -1
 
@@ -233,9 +233,9 @@ def test_close_modes_are_paired_by_their_order_whatever_their_shapes() -> None:
     shapes = np.array(axes)
     channels = ("c0", "c1", "c2")
     expected = expected_modes(np.log([100.0, 100.4]), 0.02, shapes, trusted, channels, np.array([0, 1]), 0)
-    pairs = pair_with_expected(expected, later, np.arange(2), np.ones(3), Criteria().pairing)
+    pairs = pair_with_expected(expected, later, np.arange(2), np.ones(3))
     assert sorted(pairs) == [(0, 0), (1, 1)]
-    assert close_groups(np.log([100.0, 150.0, 100.4]), np.full(3, 1e-4), Criteria().pairing).tolist() == [
+    assert close_groups(np.log([100.0, 150.0, 100.4]), np.full(3, 1e-4)).tolist() == [
         0,
         1,
         0,

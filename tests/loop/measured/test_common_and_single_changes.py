@@ -142,7 +142,7 @@ def test_a_softer_storey_of_a_real_structure(
     assert run(["compare", "before.csv", "after.csv"]) == 0
     text = " ".join(capsys.readouterr().out.split())
     sigmas = (70.7 - 62.2) / np.hypot(0.006 * 70.7, 0.006 * 62.2)
-    assert f"1 of 3 modes changed: mode 4 at P1 by -12 % ({sigmas:.0f} sigma)" in text
+    assert f"1 of 3 modes changed: 70.7 Hz at P1 by -12 % ({sigmas:.0f} sigma)" in text
     assert (
         "No common change is significant: the mean over the 2 modes that agree is -0.272 % (0.3 sigma)."
         in text
@@ -173,5 +173,13 @@ def test_headlines(
     both = headline(49.0, 58.8, 78.4, 100.0)
     assert "3 of 4 modes changed by one factor, -2 % (" in both
     assert "; beyond it 95 Hz at P by +7.41 % (" in both
+    # Half of the modes changed by factors of their own: no common factor leads, as with one belt of several.
+    own = headline(0.98 * 50.0, 0.98 * 60.0, 78.0, 90.0)
+    first, second, largest = -2.5, 100.0 * (90.0 / 95.0 - 1.0), "most of all 95 Hz at P by -5.26 % ("
+    assert (
+        f"2 of 4 modes changed, each by a factor of its own ({second:.3g} % to {first:.3g} %), {largest}"
+        in own
+    )
+    assert "changed by one factor" not in own
     assert "No mode has a partner" in headline(5.0, 6.0)
     assert "; 1 mode without a partner" in headline(50.0, 60.0, 80.1)

@@ -36,7 +36,7 @@ def test_two_measurements_have_a_page(files: tuple[Path, Path], tmp_path: Path) 
     assert len(placed) > 20
     for cell in placed:
         assert float(cell.attributes["value"]) == at(content, cell.attributes["data-at"])
-    assert "mode 2 at A by \u221210 %" in root.by_id("summary").text
+    assert "80 Hz at A by \u221210 %" in root.by_id("summary").text
     assert "Only in before.csv: line 5." in root.by_id("alone").text
     assert str(tmp_path) not in page.read_text(encoding="utf-8")
     with opened(page, width=390) as browser:

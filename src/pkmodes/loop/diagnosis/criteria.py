@@ -13,6 +13,7 @@ from typing import ClassVar
 import numpy as np
 
 from pkmodes.core.base.errors import PkmodesError
+from pkmodes.loop.measured.same_modes import CLOSE, MAX_MIXED, MIXED_SIGMAS
 
 
 @dataclass(frozen=True)
@@ -28,15 +29,15 @@ class PairingCriteria:
     shape_sigmas: float = 3.0
     #: Modes of the model closer than this are one group: the smallest error rotates their shapes into each other, so
     #: their measured partners are assigned by the order of the frequencies alone.
-    close: float = 0.01
+    close: float = CLOSE
     #: Measured modes closer than this are compared as one subspace with their partners: a frequency error of about
     #: 0.2 % already rotates their shapes by several per cent.  The measured frequencies decide, not those of the
     #: model: a hypothesis must not be judged less strictly because it brings two modes together.
     mixed: float = 0.03
     #: The same applies to modes closer than this many standard deviations of their difference, up to a limit: their
     #: order and how they mix are then unknown.
-    mixed_sigmas: float = 3.0
-    most_mixed: float = 0.1
+    mixed_sigmas: float = MIXED_SIGMAS
+    most_mixed: float = MAX_MIXED
 
 
 @dataclass(frozen=True)

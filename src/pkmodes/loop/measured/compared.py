@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import linear_sum_assignment
 from scipy.special import chdtrc
 
 from pkmodes.core.base.errors import MeasurementError
@@ -16,6 +15,7 @@ from pkmodes.core.support.mac import MIN_MAC_OF_PAIR, mac_of_each, rotation_weig
 from pkmodes.loop.measured.comparison import Changed, MeasurementsCompared, ModePair
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.positions import is_same_position
+from pkmodes.loop.measured.same_modes import close_groups, pair_same_modes
 from pkmodes.loop.measured.shape_changes import (
     AlignedShapes,
     PlaceChange,
@@ -43,10 +43,6 @@ from pkmodes.loop.measured.trust import (
 Array = NDArray[np.float64]
 #: Rows of a mode in both files, and the MAC of its shapes.
 RowPair = tuple[int, int, float | None]
-#: Largest difference between the logarithms of the frequencies of one mode.
-MAX_FREQUENCY_DIFFERENCE = 0.25
-#: Difference between the logarithms of two frequencies that costs as much as shapes with a MAC of 0.
-DIFFERENCE_AT_ZERO_MAC = 0.1
 
 
 def compare_measurements(first: Measurements, second: Measurements) -> MeasurementsCompared:
@@ -274,16 +270,11 @@ def paired_rows(
 
     - rows, second_rows: rows of the pose in the first and in the second measurement
     """
-    log_ratios = np.abs(np.log(second.frequency[second_rows][None, :] / first.frequency[rows][:, None]))
+    log_difference = np.abs(np.log(second.frequency[second_rows][None, :] / first.frequency[rows][:, None]))
     macs = _mac_matrix(first, second, rows, second_rows)
-    cost = log_ratios / DIFFERENCE_AT_ZERO_MAC + np.where(np.isfinite(macs), 1.0 - macs, 0.0)
-    is_too_far = (log_ratios > MAX_FREQUENCY_DIFFERENCE) | (macs < MIN_MAC_OF_PAIR)
-    index_pairs = zip(*linear_sum_assignment(np.where(is_too_far, 1e6, cost)), strict=True)
-    return [
-        (int(rows[i]), int(second_rows[j]), float(macs[i, j]) if np.isfinite(macs[i, j]) else None)
-        for i, j in index_pairs
-        if not is_too_far[i, j]
-    ]
+    groups = close_groups(np.log(first.frequency[rows]), first.sigma[rows] / first.frequency[rows])
+    pairs = pair_same_modes(log_difference, macs, groups, MIN_MAC_OF_PAIR)
+    return [(int(rows[i]), int(second_rows[k]), mac) for i, k, mac in pairs]
 
 
 def _mac_matrix(

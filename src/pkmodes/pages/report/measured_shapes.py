@@ -16,9 +16,8 @@ MAX_MODES_NAMED, MAX_CHANNELS_NAMED = 3, 2
 
 
 def mode_name(pair: ModePair) -> str:
-    """Return which mode a pair is, in words."""
-    mode = f"mode {shorten(pair.mode)}" if pair.mode else f"{pair.first:.5g} Hz"
-    return f"{mode} at {shorten(pair.pose)}"
+    """Return which mode a pair is, by its first frequency, as in the table."""
+    return f"{pair.first:.5g} Hz at {shorten(pair.pose)}"
 
 
 def sigmas_in_words(sigmas: float | None) -> str:

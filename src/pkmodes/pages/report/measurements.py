@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from pkmodes.core.base.numbers import p_text, plain
+from pkmodes.core.support.mac import MIN_MAC_OF_PAIR
 from pkmodes.loop.measured.comparison import MeasurementsCompared, ModePair
+from pkmodes.loop.measured.same_modes import MAX_LOG_DIFFERENCE
 from pkmodes.loop.measured.significance import MIN_COMMON_SIGMAS, SIGNIFICANCE_LEVEL, CommonChange
 from pkmodes.pages.report.blocks import Cell, Column, Summary, Table
 from pkmodes.pages.report.formatting import (
@@ -26,6 +30,14 @@ if TYPE_CHECKING:
 
 #: Maximum number of modes named in a headline.
 MAX_MODES_NAMED = 3
+#: Share of the modes with a change of their own above which a common factor is not the story.
+MAX_OWN_SHARE = 0.25
+#: Largest change of a frequency at which two modes are paired [%].
+MAX_CHANGE = 100.0 * math.expm1(MAX_LOG_DIFFERENCE)
+ONE_PLACE_NOTE = (
+    "One place that changed, such as one belt, moves each mode by another amount: pkmodes changed, with the robot "
+    "file, looks for it."
+)
 COMMON_FACTOR_NOTE = (
     "Modes change in this way where stiffness or mass changes everywhere in proportion, as with the temperature "
     "or the tension of all belts, and where the clock of one test is wrong."
@@ -66,8 +78,8 @@ def _assess_differences(result: MeasurementsCompared) -> tuple[str, str, Colour]
     if result.changed == "no_pairs":
         return (
             "No mode has a partner",
-            "No mode of the first measurement has one of the second within 25 % in frequency (and with a MAC of at "
-            "least 0.5, where shapes are known).",
+            f"No mode of the first measurement has one of the second within {MAX_CHANGE:.0f} % in frequency (and "
+            f"with a MAC of at least {MIN_MAC_OF_PAIR:g}, where shapes are known).",
             "bad",
         )
     pair_count = len(result.pairs)
@@ -96,11 +108,20 @@ def _assess_differences(result: MeasurementsCompared) -> tuple[str, str, Colour]
             headline = f"{_modes_that_share(common, pair_count)} changed by one factor: {common_text}"
             reasons += [_beyond_common_note(common), COMMON_FACTOR_NOTE]
         case "common_and_single":
-            headline = (
-                f"{_modes_that_share(common, pair_count)} changed by one factor, {common_text}; beyond it "
-                f"{changes_in_words}"
-            )
-            reasons.append(COMMON_FACTOR_NOTE)
+            if len(changed_pairs) > MAX_OWN_SHARE * pair_count:
+                changes = [pair.relative for pair in changed_pairs]
+                headline = (
+                    f"{len(changed_pairs)} of {plural(pair_count, 'mode')} changed, each by a factor of its own "
+                    f"({_change_in_words(min(changes))} to {_change_in_words(max(changes))}), most of all "
+                    f"{_named_change(_largest_change(changed_pairs))}"
+                )
+                reasons += [_common_to_the_others_note(common, pair_count), ONE_PLACE_NOTE]
+            else:
+                headline = (
+                    f"{_modes_that_share(common, pair_count)} changed by one factor, {common_text}; beyond it "
+                    f"{changes_in_words}"
+                )
+                reasons.append(COMMON_FACTOR_NOTE)
         case "together":
             headline = "All modes together changed by more than the errors"
             reasons.append("No single one did.")
@@ -111,6 +132,11 @@ def _assess_differences(result: MeasurementsCompared) -> tuple[str, str, Colour]
     return headline + unpaired_note, " ".join(reason for reason in reasons if reason), tone
 
 
+def _largest_change(pairs: Sequence[ModePair]) -> ModePair:
+    """Return the pair whose frequency changed most."""
+    return max(pairs, key=lambda pair: abs(pair.relative))
+
+
 def _single_change(result: MeasurementsCompared, pair: ModePair) -> tuple[float, float]:
     """Return the relative change of one mode, less the common change if both kinds were found, and that in sigmas."""
     if result.changed == "common_and_single":
@@ -118,10 +144,23 @@ def _single_change(result: MeasurementsCompared, pair: ModePair) -> tuple[float,
     return pair.relative, pair.sigmas
 
 
-def _change_in_words(relative: float | None, sigmas: float | None) -> str:
-    """Return a change in per cent and its standard deviations."""
+def _change_in_words(relative: float | None, sigmas: float | None = None) -> str:
+    """Return a change in per cent, and its standard deviations if given."""
     change = 100.0 * (relative or 0.0)
-    return f"{'-' if change < 0.0 else '+'}{plain(abs(change), 3)} % ({sigmas_in_words(sigmas)})"
+    text = f"{'-' if change < 0.0 else '+'}{plain(abs(change), 3)} %"
+    return text if sigmas is None else f"{text} ({sigmas_in_words(sigmas)})"
+
+
+def _named_change(pair: ModePair) -> str:
+    return f"{mode_name(pair)} by {_change_in_words(pair.relative, pair.sigmas)}"
+
+
+def _common_to_the_others_note(common: CommonChange | None, count: int) -> str:
+    """Return by how much the modes changed that agree with one another."""
+    if common is None:
+        return ""
+    change = _change_in_words(common.relative, common.sigmas)
+    return f"{common.pairs} of the {count} modes agree with a common change of {change}."
 
 
 def _modes_that_share(common: CommonChange | None, count: int) -> str:

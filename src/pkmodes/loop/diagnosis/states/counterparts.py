@@ -2,8 +2,7 @@
 
 Two states of a machine are more alike than a machine and its model.  If a mode was measured in the trusted state at
 the same setup, that measurement is what is expected; otherwise it is the prediction of the model, with the error that
-the trusted state shows.  Shapes do not identify close modes, because any change rotates them into each other: these
-are paired by the order of their frequencies.
+the trusted state shows.
 """
 
 from __future__ import annotations
@@ -12,18 +11,14 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import linear_sum_assignment
 
 from pkmodes.core.support.mac import mac_of_each
-from pkmodes.loop.diagnosis.criteria import PairingCriteria
 from pkmodes.loop.diagnosis.problem import Array
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.quantities import FREQUENCY
+from pkmodes.loop.measured.same_modes import close_groups, pair_same_modes
 
 Index = NDArray[np.intp]
-#: Largest difference of the logarithms of the frequencies of one mode in two states, and the difference that counts
-#: as much as shapes that have nothing in common.
-MAX_LOG_DIFFERENCE, UNIT_LOG_DIFFERENCE = 0.3, 0.1
 
 
 class ExpectedModes(NamedTuple):
@@ -84,38 +79,16 @@ def expected_modes(
 
 
 def pair_with_expected(
-    expected: ExpectedModes, later: Measurements, rows: Index, weights: Array, criteria: PairingCriteria
+    expected: ExpectedModes, later: Measurements, rows: Index, weights: Array
 ) -> list[tuple[int, int]]:
     """Return rows of one setup of a later state, each with its place among the modes that are expected there.
 
     - weights: factors by which the channels are comparable, (C,)
     """
     log_difference = np.abs(FREQUENCY.transformed(later)[rows][None, :] - expected.log_frequencies[:, None])
-    shape_difference = 1.0 - mac_of_each(expected.shapes * weights, later.shapes[rows] * weights)
-    groups = close_groups(expected.log_frequencies, expected.sigma, criteria)
-    for group in np.unique(groups):
-        in_group = groups == group
-        of_group = shape_difference[in_group]
-        min_difference = np.where(np.isnan(of_group), np.inf, of_group).min(axis=0)
-        shape_difference[in_group] = np.where(np.isfinite(min_difference), min_difference, np.nan)
-    cost = (log_difference / UNIT_LOG_DIFFERENCE) ** 2 + np.nan_to_num(shape_difference)
-    pairs = zip(*linear_sum_assignment(np.where(log_difference > MAX_LOG_DIFFERENCE, 1e6, cost)), strict=True)
-    return [(int(rows[k]), int(i)) for i, k in pairs if log_difference[i, k] <= MAX_LOG_DIFFERENCE]
-
-
-def close_groups(log: Array, sigma: Array, criteria: PairingCriteria) -> Index:
-    """Return the group of each mode of a setup: one for all modes that are close to the next.
-
-    - log, sigma: logarithms of the frequencies, and their standard deviations, (m,)
-    """
-    order = np.argsort(log)
-    gap, sigma_of_gap = np.diff(log[order]), np.hypot(sigma[order][1:], sigma[order][:-1])
-    is_near = (gap < criteria.close) | (
-        gap < np.minimum(criteria.mixed_sigmas * sigma_of_gap, criteria.most_mixed)
-    )
-    groups = np.empty(len(log), dtype=np.intp)
-    groups[order] = np.concatenate([[0], np.cumsum(~is_near)])
-    return groups
+    macs = mac_of_each(expected.shapes * weights, later.shapes[rows] * weights)
+    groups = close_groups(expected.log_frequencies, expected.sigma)
+    return [(int(rows[k]), i) for i, k, _ in pair_same_modes(log_difference, macs, groups)]
 
 
 def common_channels(trusted: Measurements, later: Measurements) -> tuple[list[int], list[int]]:

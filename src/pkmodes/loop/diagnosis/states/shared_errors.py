@@ -130,7 +130,7 @@ def shared_errors(
             int(trusted_setup),
         )
         in_setup = np.flatnonzero(later.pose == setup)
-        for row, position in pair_with_expected(expected, later, in_setup, weights, trusted.criteria.pairing):
+        for row, position in pair_with_expected(expected, later, in_setup, weights):
             if expected.model_mode[position] >= 0:
                 partner[row] = expected.model_mode[position] + later_prediction.rigid
             counterpart[row] = expected.trusted_row[position]
