@@ -63,7 +63,7 @@ class ExtremesDocument(Document, frozen=True):
             description="Its standard deviation from those that the robot file states, the median over some of the "
             "poses [Hz]; null where the file states none, and for a map of several robots."
         ),
-    ] = None
+    ]
 
 
 class LeftOutDocument(Document, frozen=True):
