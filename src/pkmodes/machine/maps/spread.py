@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 import math
+from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -70,26 +72,45 @@ def spread_along(robot: Robot, dataset: xarray.Dataset, dim: str, max_condition:
 def typical_spread(robot: Robot, dataset: xarray.Dataset, max_condition: float) -> Array | None:
     """Return the median standard deviation of each frequency of a map, over some of its poses.
 
+    Of a sweep, the robots with the first and the last values count.
+
     - robot, dataset, max_condition: as for `spread_along`
 
-    Returns (m,), in Hz.  None where the robot file states no standard deviations, and for a map of several robots,
-    whose frequencies differ for other reasons.
+    Returns (m,), in Hz.  None where the robot file states no standard deviations, and where the map has samples,
+    which show the scatter themselves.
     """
-    components = [component.name for component in robot.mechanism.pose]
     dims = [str(dim) for dim in dataset["valid"].dims]
-    if not stated_sigmas(robot) or not set(dims) <= {*components, "pose"}:
+    if not stated_sigmas(robot) or SAMPLE in dims:
         return None
+    swept = {name: dataset[name].values for name in dims if "." in name}
+    set_paths = paths_set_by_sweep(robot, swept)
+    parts = []
+    for ends in itertools.product(*(dict.fromkeys((0, len(values) - 1)) for values in swept.values())):
+        values = {name: float(swept[name][i]) for name, i in zip(swept, ends, strict=True)}
+        variant = robot.with_values(values) if values else robot
+        of_robot = dataset.isel(dict(zip(swept, ends, strict=True)))
+        parts.append(_spread_over_poses(Model(variant, max_condition), of_robot, set_paths))
+    spread = [part for part in parts if part is not None]
+    return np.asarray(np.nanmedian(np.vstack(spread), axis=0)) if spread else None
+
+
+def _spread_over_poses(model: Model, dataset: xarray.Dataset, set_paths: Collection[str]) -> Array | None:
+    """Return the standard deviations of the frequencies of one robot at some poses of its map, (N, m) [Hz].
+
+    None where no pose can be evaluated, or no value that is not set has a standard deviation.
+    """
+    dims = [str(dim) for dim in dataset["valid"].dims]
     step = math.ceil((dataset["valid"].size / SPREAD_POSES) ** (1.0 / max(len(dims), 1)))
     thinned = dataset[["frequency", "valid"]].isel({dim: slice(None, None, step) for dim in dims}).load()
     is_valid = thinned["valid"].values.reshape(-1)
     if not is_valid.any():
         return None
     frequencies = thinned["frequency"].transpose(*dims, "mode").values.reshape(len(is_valid), -1)[is_valid]
+    components = [component.name for component in model.mechanism.pose]
     columns = [thinned[name].broadcast_like(thinned["valid"]).values.reshape(-1) for name in components]
     points = np.stack(columns, axis=-1)[is_valid]
-    spread = spread_of(Model(robot, max_condition), points, str(dataset.attrs["drives"]), "nan")
+    spread = spread_of(model, points, str(dataset.attrs["drives"]), "nan", set_paths)
     if spread is None:
         return None
     ranks = np.argsort(np.argsort(frequencies, axis=1), axis=1)
-    of_modes = np.take_along_axis(spread[:, -frequencies.shape[1] :], ranks, axis=1)
-    return np.asarray(np.nanmedian(of_modes, axis=0))
+    return np.take_along_axis(spread[:, -frequencies.shape[1] :], ranks, axis=1)

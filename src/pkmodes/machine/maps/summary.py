@@ -61,9 +61,9 @@ class ExtremesDocument(Document, frozen=True):
         float | None,
         Meta(
             description="Its standard deviation from those that the robot file states, the median over some of the "
-            "poses [Hz]; null where the file states none, and for a map of several robots."
+            "poses [Hz]; null where the file states none, and where the map has samples."
         ),
-    ] = None
+    ]
 
 
 class LeftOutDocument(Document, frozen=True):
