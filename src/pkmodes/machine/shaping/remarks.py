@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.ordering import joined
 from pkmodes.machine.shaping.firmware import (
     DEFAULT_RATIO,
@@ -24,8 +23,8 @@ def firmware_remarks(choice: Choice) -> list[str]:
         shapers = recommended_in(name, choice)
         if choice.by_axis and "" in shapers:
             notes.append(
-                f"{title} has one shaper for all axes: its line sets "
-                f"{_kind_with_remaining_vibration(choice, shapers[''].kind)}"
+                f"{title} has one shaper for all axes: its line sets {shapers[''].kind}, and says beside it what "
+                "that leaves there"
             )
         elif not shapers:
             notes.append(
@@ -33,14 +32,16 @@ def firmware_remarks(choice: Choice) -> list[str]:
             )
         elif any(shapers[axis].kind != recommended[axis].kind for axis in shapers):
             kinds = " and ".join(
-                _kind_with_remaining_vibration(choice.parts[axis], shaper.kind, f" on {axis}" if axis else "")
-                for axis, shaper in shapers.items()
+                f"{shaper.kind} on {axis}" if axis else shaper.kind for axis, shaper in shapers.items()
             )
             substitutes.setdefault(kinds, []).append(title)
     recommended_kinds = shapers_in_words(recommended)
     for kinds, titles in substitutes.items():
         have, their = ("has", "its") if len(titles) == 1 else ("have", "their")
-        notes.append(f"{joined(titles)} {have} no {recommended_kinds}: {their} lines set {kinds}")
+        notes.append(
+            f"{joined(titles)} {have} no {recommended_kinds}: {their} lines set {kinds}, and say beside it what that "
+            "leaves there"
+        )
     ratios = [shaper.damping_ratio for shaper in recommended.values()]
     if min(ratios) < MIN_WRITTEN_RATIO:
         notes.append(
@@ -55,11 +56,3 @@ def firmware_remarks(choice: Choice) -> list[str]:
             f"Marlin accepts no damping ratio below {MARLIN_MIN_RATIO:g}, so its line sets {MARLIN_MIN_RATIO:g}"
         )
     return notes
-
-
-def _kind_with_remaining_vibration(choice: Choice, kind: str, axis_suffix: str = "") -> str:
-    """Return a kind of fixed shaper, and the largest vibration that it leaves."""
-    shaper = next(
-        candidate for candidate in choice.candidates if candidate.kind == kind and not candidate.follows_pose
-    )
-    return f"{kind}{axis_suffix}, which leaves up to {plain(100 * shaper.left.worst, 2)} % {choice.ringing.share_of}"

@@ -183,10 +183,10 @@ def why_recommended(choice: Choice) -> str:
     limit, length = choice.left, choice.length
     length_clause = "" if length is None else f" that lasts at most {1e3 * length:.4g} ms"
     firmware_clause = "" if choice.firmware is None else f" of {version_name(choice.firmware)}"
-    share = f"{plain(100.0 * limit, 3)} % of the largest vibration"
+    share = f"{plain(100.0 * limit, 3)} %"  # of what the sentence before says
     if choice.best.left.worst <= limit:
         return f"It is the shortest fixed one{firmware_clause}{length_clause} that leaves at most {share}."
-    return f"No fixed one{firmware_clause}{length_clause} leaves at most {share}; it leaves least."
+    return f"No fixed one{firmware_clause}{length_clause} leaves at most {share}; this one leaves least."
 
 
 def note_to_sentence(text: str) -> str:
