@@ -22,9 +22,11 @@ PRINTER = ROOT / "robots" / "corexy-printer.toml"
 WITH_DAMPING = '\n[damping]\nratio = "2 %"\n'
 
 
-def made(folder: Path, robot: Path, pose: str, inputs: str, outputs: str, *more: str) -> Element:
-    """Write the report, the table and the JSON of a response with held motors; return the page."""
-    given = ["--inputs", inputs, "--outputs", outputs, "--frequencies", "5:200:391", "--drives", "held"]
+def made(
+    folder: Path, robot: Path, pose: str, inputs: str, outputs: str, *more: str, drives: str = "held"
+) -> Element:
+    """Write the report, the table and the JSON of a response; return the page."""
+    given = ["--inputs", inputs, "--outputs", outputs, "--frequencies", "5:200:391", "--drives", drives]
     files = {"report": "page.html", "json": "page.json", "out": "table.csv"}
     written = [part for name, file in files.items() for part in (f"--{name}", str(folder / file))]
     assert run(["response", str(robot), "--pose", pose, *given, *written, *more]) == 0
@@ -144,7 +146,28 @@ def test_frequencies_have_the_standard_deviations_of_the_file(tmp_path: Path) ->
     for row, sigma in zip(rows_of(page.by_id("modes")), sigmas, strict=True):
         _, its = row[1].all("data")
         assert float(its.attributes["value"]) == pytest.approx(sigma)
-    assert "has no damping" in page.by_id("summary").text
+    summary = page.by_id("summary").text
+    assert "has no damping" in summary
+    # The head has the frequency of the mode that it names with the same standard deviation.
+    found = re.search(r"in mode (\d), at ([\d.]+) \u00b1 ([\d.]+) Hz \(from the standard deviations", summary)
+    assert found is not None
+    sigma = sigmas[int(found[1]) - 1]
+    assert float(found[3]) == pytest.approx(sigma, rel=0.06)
+    frequencies = pkmodes.load(PRINTER).modes([0.1, 0.15], drives="held").frequencies
+    assert float(found[2]) == pytest.approx(frequencies[int(found[1]) - 1], abs=0.06 * sigma)
+
+
+def test_the_largest_response_of_free_motors_is_a_resonance(tmp_path: Path) -> None:
+    """Towards 0 Hz the machine moves as a rigid body, with 1 / f^2, by more than at any resonance."""
+    page = made(tmp_path, damped(tmp_path), "0.6,0,-0.245", "torque_1", "p_x", drives="free")
+    f, values = column(tmp_path / "table.csv", "p_x/torque_1")
+    magnitude = np.abs(values)
+    assert magnitude.argmax() == 0
+    assert magnitude[1] / magnitude[0] == pytest.approx((f[0] / f[1]) ** 2, rel=0.02)
+    elastic = f > 20.0
+    expected = f[elastic][magnitude[elastic].argmax()]
+    (row,) = rows_of(page.by_id("responses"))
+    assert shown(row[4].text.strip())[0] == pytest.approx(expected, abs=1e-3)
 
 
 def test_a_prescribed_motion_is_no_response_to_itself(tmp_path: Path) -> None:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base import numbers
+from pkmodes.core.base.numbers import round_to_sigma
 from pkmodes.core.mechanism.length import lengths_of, unit_vector_headings, unit_vectors
 from pkmodes.core.mechanism.poses import format_pose
 from pkmodes.core.mechanism.registry import Mechanism
@@ -17,8 +18,8 @@ from pkmodes.core.support.motors import motors_in_words
 from pkmodes.loop.sensitivity.spread import spread_of
 from pkmodes.machine.response.drawn_channels import DrawnChannels, most_responsive
 from pkmodes.machine.response.measured import MeasuredResponse
-from pkmodes.machine.response.resonances import strongest_drawn_resonance
-from pkmodes.pages.plots.labels import MINUS
+from pkmodes.machine.response.resonances import Resonance, strongest_drawn_resonance
+from pkmodes.pages.plots.labels import MINUS, PLUS_MINUS
 from pkmodes.pages.plots.responses import responses
 from pkmodes.pages.report.blocks import Block, Cell, Column, Picture, Section, Summary, Table
 from pkmodes.pages.report.formatting import (
@@ -98,7 +99,8 @@ def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChan
     output_port, _, input_port = name.partition("/")
     strongest_text = f"{clean(output_port)} responds most to {clean(input_port)}"
     if resonance is not None:
-        mode_text = f"in mode {resonance.mode}, at {numbers.format_frequency(resonance.frequency)} Hz"
+        frequency_text = _resonance_in_words(model, response, resonance)
+        mode_text = f"in mode {resonance.mode}, at {frequency_text}"
         headline = f"{clean(output_port)} resonates most with {clean(input_port)} {mode_text}"
         if drawn.measured is not None and name in measured:
             index = _measured_peak_near(drawn, measured[name], resonance.frequency)
@@ -146,6 +148,19 @@ def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChan
         facts=facts,
         head=head_of(model.robot.report),
     )
+
+
+def _resonance_in_words(model: Model, response: FrequencyResponse, resonance: Resonance) -> str:
+    """Return the frequency of a resonance, with its standard deviation where the robot file states any."""
+    pose = response.poses[response.one(())]
+    sigmas = spread_of(model, pose, response.drives)
+    if sigmas is not None:
+        rigid = model.modes(pose, drives=response.drives, fields=["frequencies"]).rigid_modes
+        sigma = float(sigmas[rigid + resonance.mode - 1])
+        if sigma > 0.0:
+            rounded = round_to_sigma(resonance.frequency, sigma)
+            return f"{rounded.value} {PLUS_MINUS} {rounded.sigma} Hz (from the standard deviations in the robot file)"
+    return f"{numbers.format_frequency(resonance.frequency)} Hz"
 
 
 def hertz_with_unit_cell(frequency: float, *json_keys: str) -> Cell:
@@ -249,7 +264,7 @@ def largest_responses_table(drawn: DrawnChannels) -> Table:
         groups = [("", 2), ("model", len(model_columns)), ("measured", 3)]
     rows = []
     for name, values in drawn.model.items():
-        peak = int(np.abs(values).argmax())
+        peak = _largest_peak(np.abs(values))
         row = [Cell(clean(name)), unit_cell(drawn.units[name])]
         cells = _peak_cells(frequencies, values, peak, pointer("frequencies_hz", peak))
         row += [_four_digits(abs(values[0])), *cells] if has_several_frequencies else [cells[0], cells[-1]]
@@ -266,11 +281,25 @@ def largest_responses_table(drawn: DrawnChannels) -> Table:
         rows.append(row)
     caption = (
         f"Magnitudes at the first of {len(frequencies)} frequencies from {frequencies[0]:g} to "
-        f"{frequencies[-1]:g} Hz, and the largest of each channel with its phase"
+        f"{frequencies[-1]:g} Hz, and the largest of each channel with its phase; where that is the first, the "
+        "largest peak after it"
         if has_several_frequencies
         else f"Magnitude and phase at {frequencies[0]:g} Hz"
     )
     return compact_table(f"{caption}, for exp(+i\u03c9t).", titles, rows, groups)
+
+
+def _largest_peak(magnitudes: NDArray[np.float64]) -> int:
+    """Return the index of the largest magnitude, or of the largest peak where that is the first.
+
+    Towards low frequencies a machine with free motors moves as a rigid body, by more than at any resonance.
+    """
+    largest = int(magnitudes.argmax())
+    is_peak = np.zeros(len(magnitudes), dtype=bool)
+    is_peak[1:-1] = (magnitudes[1:-1] >= magnitudes[:-2]) & (magnitudes[1:-1] > magnitudes[2:])
+    if largest or not is_peak.any():
+        return largest
+    return int(np.where(is_peak, magnitudes, -1.0).argmax())
 
 
 def _peak_cells(
