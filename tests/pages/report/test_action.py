@@ -138,8 +138,8 @@ def test_a_probability_has_the_word_that_was_measured_for_it() -> None:
 def test_a_probability_that_others_share_says_so() -> None:
     shared = claiming(("a",), probabilities=probable(0.95, "a", "b"))["how sure"]
     assert (
-        "this, or what acts like this, is the cause (probability 95 %). The tests exclude all others that act alike."
-        in shared
+        "this, or what acts like this, is the cause (probability 95 %). Of the causes that act alike, the tests "
+        "leave only this." in shared
     )
     whole = claiming(("a", "b"), probabilities=probable(0.95, "b", "a"))["how sure"]
     assert "one of these is the cause (probability 95 %). These data cannot tell which" in whole

@@ -200,3 +200,25 @@ def test_what_makes_a_size_far_less_sure_is_the_next_measurement(unseen: Unseen,
     )
     little = replace(unseen, sigma=0.01)
     assert said(sized(1.0, unseen=little))["measure next"].startswith("No next measurement is proposed: ")
+
+
+def test_a_title_says_on_what_its_claim_depends() -> None:
+    """Smaller errors alone make any claim unexplained; a second change, or one by the priors, is a condition."""
+    result, _ = made_up(4, 3)
+    effect = Finding("a", ("a",), (), {"a": ()}, 1e-9, "a gives")
+    claimed = replace(result, verdict="effect_found", effects=(effect,), probabilities=None)
+
+    def title(**verdicts: str) -> str:
+        changes = {"sigma x 0.5": "halved", "sigma x 2": "doubled", "priors x 2": "priors"}
+        entries = tuple(
+            Stability(change, verdicts.get(key, "effect_found"), ("a",) if key not in verdicts else ())
+            for change, key in changes.items()
+        )
+        return verdict_headline(replace(claimed, stability=entries))
+
+    assert title() == title(halved="unexplained") == "Cause found: a gives"
+    assert (
+        title(halved="unexplained", doubled="adequate")
+        == "Cause found, if the stated errors are right: a gives"
+    )
+    assert title(priors="adequate") == "Cause found, if the priors are right: a gives"

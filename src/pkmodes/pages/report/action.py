@@ -154,8 +154,8 @@ def _effect_on_frequencies(result: Diagnosis) -> list[Cell]:
     changes = []
     for i, row in enumerate(result.rows):
         pose_index, mode_index = pose_indices[row.pose], int(with_causes.partner_mode[i]) - 1
-        has_both = row.before is not None and getattr(row, stage_key) is not None and not row.outlier
-        if has_both and mode_index in partners[pose_index]:
+        has_partner = getattr(row, stage_key) is not None and not row.outlier
+        if has_partner and mode_index in partners[pose_index]:
             partner = partners[pose_index][mode_index]
             changes.append(
                 (
@@ -167,7 +167,12 @@ def _effect_on_frequencies(result: Diagnosis) -> list[Cell]:
     if not changes:
         return []
     sizes = [change for change, _ in changes]
-    largest_change, i = max(changes, key=lambda change_and_row: abs(change_and_row[0]))
+    largest_change = max(sizes, key=abs)
+    # The example has a partner in the model as declared, too.
+    examples = [(abs(change), i) for change, i in changes if result.rows[i].before is not None]
+    if not examples:
+        return []
+    _, i = max(examples, key=lambda size_and_row: size_and_row[0])
     row, pose_index = result.rows[i], pose_indices[result.rows[i].pose]
     mode_count = int(with_causes.partner_mode.max(initial=1))
     new_frequencies = [

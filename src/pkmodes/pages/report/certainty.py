@@ -11,7 +11,13 @@ from pkmodes.loop.diagnosis.posterior.document import NOTHING_MISSING, OUTSIDE
 from pkmodes.loop.diagnosis.verdict.findings import saved_as
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.loop.diagnosis.verdict.rows import Error
-from pkmodes.loop.diagnosis.verdict.stability_words import is_stable, same_verdict
+from pkmodes.loop.diagnosis.verdict.stability_words import (
+    DOUBLED_ERRORS,
+    HALVED_ERRORS,
+    WIDENED_PRIORS,
+    is_stable,
+    same_verdict,
+)
 from pkmodes.loop.diagnosis.verdict.terms import Beyond, TermClass
 from pkmodes.loop.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.pages.report.blocks import Cell
@@ -25,6 +31,8 @@ PROBABILITY_PHRASES = ((0.9, "very likely that"), (0.7, "likely that"), (0.0, "d
 MIN_LIKELY_PROBABILITY = PROBABILITY_PHRASES[1][0]
 #: Chi-square per degree of freedom below which the stated errors are far larger than the residual: twice as large.
 MIN_CHI2_PER_DOF = 0.25
+#: Relative standard deviation of a size from which it is told also where the verdict depends on the stated errors.
+MIN_TOLD_SIGMA = 0.2
 #: Probabilities above this are not distinguished.
 MAX_STATED_PROBABILITY = 0.99
 
@@ -51,7 +59,7 @@ def certainty(result: Diagnosis) -> list[Cell]:
     claim = VERDICTS[result.verdict].sure.format(likely=likelihood, what=causes_clause)
     sentences = [claim if p is None else f"{claim} (probability {_probability_text(p)})"]
     if includes_excluded:
-        sentences.append("the tests exclude all others that act alike")
+        sentences.append(f"of the causes that act alike, the tests leave only {subject}")
     if has_alternatives:
         sentences.append("these data cannot tell which of the alternatives it is")
     values = [
@@ -60,7 +68,9 @@ def certainty(result: Diagnosis) -> list[Cell]:
     saved = saved_as(values[0], result.corrected) if len(values) == 1 else None
     if saved is not None and saved.value != saved.declared:
         relative_sigma = saved.saved_sigma / abs(saved.value - saved.declared)
-        error = None if any(not same_verdict(result, entry) for entry in result.stability) else result.after
+        depends_on_errors = any(not same_verdict(result, entry) for entry in result.stability)
+        # A small error is not told where the verdict depends on the stated ones; that a size is hardly known, always.
+        error = None if depends_on_errors and relative_sigma < MIN_TOLD_SIGMA else result.after
         sentences += [accuracy] if (accuracy := _accuracy_of_size(relative_sigma, error)) else []
     if result.settled and result.stability and not is_stable(result):
         deciding_changes = [entry.change for entry in result.stability if not same_verdict(result, entry)]
@@ -86,7 +96,7 @@ def certainty(result: Diagnosis) -> list[Cell]:
 
 
 def _accuracy_of_size(relative_sigma: float, error: Error | None) -> str:
-    """Return how well the size of a cause is known, relative to it; empty where other errors give another verdict.
+    """Return how well the size of a cause is known, relative to it; empty where the errors with it are unknown.
 
     - error: of the model with the cause: with a residual far below the stated errors, these are wrong
     """
@@ -121,6 +131,16 @@ def doubtful_probability(result: Diagnosis) -> str:
     """Return the probability of a claim that is doubtful, in per cent; empty where none is."""
     p, _ = _claim_probability(result)
     return _probability_text(p) if result.effects and p is not None and p < MIN_LIKELY_PROBABILITY else ""
+
+
+def condition_of_claim(result: Diagnosis) -> str:
+    """Return on what a claim depends: the stated errors or priors; empty for none, or where it is stable."""
+    if not result.effects or not result.stability or is_stable(result):
+        return ""
+    deciding_changes = {entry.change for entry in result.stability if not same_verdict(result, entry)}
+    subjects = ["stated errors"] if deciding_changes & {HALVED_ERRORS, DOUBLED_ERRORS} else []
+    subjects += ["priors"] if WIDENED_PRIORS in deciding_changes else []
+    return f"if the {joined(subjects)} are right"
 
 
 def _claim_probability(result: Diagnosis) -> tuple[float | None, bool]:

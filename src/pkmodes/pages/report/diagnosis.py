@@ -22,7 +22,7 @@ from pkmodes.pages.report import explanations, figures, numbers
 from pkmodes.pages.report.action import recommended_action
 from pkmodes.pages.report.beyond import beyond_blocks
 from pkmodes.pages.report.blocks import Block, Cell, Paragraph, Section, Summary, TextDifference
-from pkmodes.pages.report.certainty import doubtful_probability
+from pkmodes.pages.report.certainty import condition_of_claim, doubtful_probability
 from pkmodes.pages.report.contrast import contrast_of_parts
 from pkmodes.pages.report.damping import damping_blocks, stability_clause
 from pkmodes.pages.report.formatting import (
@@ -163,6 +163,8 @@ def verdict_headline(result: Diagnosis, context: ReportContext | None = None) ->
     verdict = VERDICTS[result.verdict].sentence.format(
         causes=causes, s="s" if len(result.effects) > 1 else ""
     )
+    if condition := condition_of_claim(result):
+        verdict = verdict.replace(": ", f", {condition}: ", 1)
     if probability := doubtful_probability(result):
         verdict = f"Doubtful ({probability}): {verdict[0].lower()}{verdict[1:]}"
     additions = [
