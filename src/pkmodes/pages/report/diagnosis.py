@@ -197,8 +197,8 @@ def _header_facts(result: Diagnosis, context: ReportContext) -> list[tuple[str, 
     )
     error_pointers = {name: pointer("error", name) for name in stages}
     if (found := numbers.error_with_term(result)) is not None:
-        last_stage, (error, error_pointers["beyond"]) = "beyond", found
-        stages[last_stage] = error, WITH_TERM
+        last_stage, error_pointers["beyond"] = "beyond", found[1]
+        stages[last_stage] = found[0], WITH_TERM
     for name, (error, title) in stages.items():
         if error is not None:
             cell = numbers.percent_cell(error.rms_relative, error_pointers[name] + pointer("rms_relative"))
