@@ -71,6 +71,19 @@ def test_the_title_carries_the_doubt(p: float, headline: str, colour: str) -> No
     assert tone(page) == colour
 
 
+def test_the_title_says_that_other_errors_give_another_verdict() -> None:
+    """A claim of 99 % that holds only with the errors exactly as stated is in doubt."""
+    names = claimed(0.99).effects[0].members
+    entries = (Stability("sigma x 0.5", "ambiguous", names), Stability("sigma x 2", "ambiguous", names))
+    result = claimed(0.99, stability=entries)
+    assert verdict_headline(result).startswith("Cause found: ")
+    assert "; with sigma halved or sigma doubled, the verdict changes" in verdict_headline(result)
+    assert tone(report(result)) == "open"
+    expected = claimed(0.99, stability=(Stability("sigma x 0.5", "unexplained", ()),))
+    assert "the verdict changes" not in verdict_headline(expected)
+    assert tone(report(expected)) == "found"
+
+
 def belts(first: float, second: float, error: float = 0.005) -> Finding:
     """A class of two: the belts are unequal, with these changes and an unknown mean, or one has another width."""
     a = np.array([first, second])
