@@ -71,6 +71,12 @@ def test_the_title_carries_the_doubt(p: float, headline: str, colour: str) -> No
     assert tone(page) == colour
 
 
+def test_how_sure_says_what_is_more_probable_than_a_doubtful_claim() -> None:
+    sentence = "More probable is something that is not among the candidates (75 %)."
+    assert sentence in said(claimed(0.25))["how sure"]
+    assert "More probable" not in said(claimed(0.75))["how sure"]
+
+
 def test_the_title_says_that_other_errors_give_another_verdict() -> None:
     """A claim of 99 % that holds only with the errors exactly as stated is in doubt."""
     names = claimed(0.99).effects[0].members

@@ -53,6 +53,11 @@ def certainty(result: Diagnosis) -> list[Cell]:
     if excluded:
         remaining = "the alternatives named" if subject == "one of these" else subject
         sentences.append(f"of these, the tests of the verdict leave only {remaining}")
+    if doubtful_probability(result) and result.probabilities is not None:
+        explanation, top_probability = result.probabilities.top
+        if explanation == OUTSIDE:
+            outside = _probability_text(top_probability)
+            sentences.append(f"more probable is something that is not among the candidates ({outside})")
     if has_alternatives:
         sentences.append("these data cannot tell which of the alternatives it is")
     values = [
