@@ -9,6 +9,7 @@ import click
 
 from pkmodes.cli.delivery import ResultFile, deliver
 from pkmodes.cli.diagnosing import parse_verdicts, progress_lines, split_names
+from pkmodes.cli.option_table import missing_file_error
 from pkmodes.cli.options import (
     PATH,
     band_option,
@@ -23,7 +24,6 @@ from pkmodes.cli.options import (
 )
 from pkmodes.cli.reporting import page_of, report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
-from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.support.ordering import listed
@@ -144,8 +144,7 @@ def diagnose(
     save_target = Target("--save-robot", save_to, "the corrected robot")
     effect_target = Target("--save-effect", effect_to, "the effect")
     if campaign is not None and report_to is None:
-        problem = "--campaign is for the report, which is not written"
-        raise PkmodesError(problem, "--campaign", "add --report FILE.html, or leave --campaign out")
+        raise missing_file_error("--campaign", {"--report FILE.html": "the report"})
     inputs = [robot, modes, *([] if campaign is None else [campaign])]
     check_targets(json_file, inputs, save_target, effect_target, report_target(report_to))
     candidate_names = None if candidates is None else split_names(candidates, "--candidates")
@@ -164,10 +163,11 @@ def diagnose(
     )
     usable_limits = dict(parse_usable(text, "--usable", "write --usable z=40mm,300mm") for text in usable)
     declared_robot = read_robot(robot)
+    campaign_read = None
     if campaign is not None:
         from pkmodes.modaltest.campaign.campaign import read_campaign
 
-        read_campaign(campaign)  # its mistakes are reported before anything is computed
+        campaign_read = read_campaign(campaign)  # its mistakes are reported before anything is computed
     data = updating.read(
         modes,
         parse_band_option(band),
@@ -209,7 +209,7 @@ def diagnose(
             f"\nwrote {file}; next: pkmodes generate ROBOT.toml --effect {shell_path(file)} --out DIR"
         ],
     )
-    report = report_file(report_to, lambda: page_of(result, declared_robot, data, sources, campaign))
+    report = report_file(report_to, lambda: page_of(result, declared_robot, data, sources, campaign_read))
     try:
         deliver(
             json_file,

@@ -6,7 +6,7 @@ Commands with few options use click's decorators instead.
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field, fields
 from pathlib import Path
@@ -62,6 +62,16 @@ def option(*names: str, **settings: Any) -> Any:
         if entry_field.name in settings
     }
     return entry(click.option(*names, **settings), **uses)
+
+
+def missing_file_error(option_name: str, files: Mapping[str, str]) -> PkmodesError:
+    """Return the error of an option that is of use only to files that are not written.
+
+    - files: the labels of these files, such as "the report", by the options that write them with their metavar
+    """
+    verb = "is" if len(files) == 1 else "are"
+    problem = f"{option_name} is for {' and '.join(files.values())}, which {verb} not written"
+    return PkmodesError(problem, option_name, f"add {' or '.join(files)}, or leave {option_name} out")
 
 
 @dataclass(frozen=True)
@@ -135,14 +145,11 @@ class OptionTable:
                 and option_entry.needs
                 and not any(map(self._is_given, option_entry.needs))
             ):
-                option = parameters[name].opts[0]
-                files = " and ".join(entries[needed].writes for needed in option_entry.needs)
-                missing = [
-                    f"{parameters[needed].opts[0]} {parameters[needed].metavar}"
+                files = {
+                    f"{parameters[needed].opts[0]} {parameters[needed].metavar}": entries[needed].writes
                     for needed in option_entry.needs
-                ]
-                problem = f"{option} is for {files}, which {'is' if len(missing) == 1 else 'are'} not written"
-                raise PkmodesError(problem, option, f"add {' or '.join(missing)}, or leave {option} out")
+                }
+                raise missing_file_error(parameters[name].opts[0], files)
 
     def sources(self) -> Sequence[Source]:
         """Return the files that the report lists, as `sources_of` does."""

@@ -12,6 +12,7 @@ from pkmodes.core.support.progress import report_progress
 if TYPE_CHECKING:
     from pkmodes.core.robot.robot import Robot
     from pkmodes.loop.diagnosis import Comparison, Diagnosis, Measurements
+    from pkmodes.modaltest.campaign.campaign import Campaign
     from pkmodes.pages.report.sources import Source
 
 
@@ -50,7 +51,7 @@ def page_of(
     robot: Robot,
     data: Measurements,
     sources: Sequence[Source],
-    campaign: Path | None = None,
+    campaign: Campaign | None = None,
 ) -> str:
     """Return the page of a diagnosis or comparison, with measured responses of a campaign."""
     from pkmodes.pages.report import report, view_of_result

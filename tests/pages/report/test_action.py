@@ -68,7 +68,8 @@ def test_the_effect_is_the_difference_of_two_robots_and_begins_as_declared(share
     assert (changes < 0.0).all()
     assert said(result, robot)["effect"] == (
         f"In the model it lowers the frequencies of the {len(data.frequency)} measured modes by up to "
-        f"{-changes.min():.1f} Hz. With the refitted values, mode {mode + 1} at {data.labels[at]} goes from "
+        f"{-changes.min():.1f} Hz. With this and the other refitted values together, mode {mode + 1} at "
+        f"{data.labels[at]} goes from "
         f"{before[at, mode]:.3f} Hz as declared to {after[at, mode]:.3f} Hz."
     )
 
@@ -137,10 +138,12 @@ def test_a_probability_has_the_word_that_was_measured_for_it() -> None:
 
 def test_a_probability_that_others_share_says_so() -> None:
     shared = claiming(("a",), probabilities=probable(0.95, "a", "b"))["how sure"]
-    assert (
-        "this, or what acts like this, is the cause (probability 95 %). Of the causes that act alike, the tests "
-        "leave only this." in shared
+    assert shared.startswith(
+        "It is very likely that the cause is this or 1 other explanation that acts alike (probability 95 % for all "
+        "of them together). Of these, the tests of the verdict leave only this."
     )
+    of_four = claiming(("a",), probabilities=probable(0.95, "a", "b", "c", "d"))["how sure"]
+    assert "this or one of 3 other explanations that act alike (probability 95 % for all of them" in of_four
     whole = claiming(("a", "b"), probabilities=probable(0.95, "b", "a"))["how sure"]
     assert "one of these is the cause (probability 95 %). These data cannot tell which" in whole
     # What the tests claim and the second opinion does not know of.

@@ -17,6 +17,7 @@ from pkmodes.diagnosis import Diagnosis
 from pkmodes.loop import updating
 from pkmodes.machine.response.campaign_responses import record_response
 from pkmodes.modaltest.campaign.campaign import Campaign, read_campaign
+from pkmodes.pages.report import report
 from pkmodes.pages.report.campaign_responses import accelerances, measured_responses
 
 EXAMPLES = Path(__file__).resolve().parents[3] / "examples"
@@ -159,4 +160,13 @@ def test_the_command_needs_a_report_to_draw_in(capsys: pytest.CaptureFixture[str
     assert (
         run(["diagnose", robot, str(EXAMPLES / "closed_loop/measured.csv"), "--campaign", str(CAMPAIGN)]) == 2
     )
-    assert "--campaign is for the report, which is not written" in capsys.readouterr().err
+    error = capsys.readouterr().err
+    assert "--campaign is for the report, which is not written" in error
+    assert "add --report FILE.html, or leave --campaign out" in " ".join(error.split())
+
+
+def test_a_report_takes_a_campaign_that_was_read_or_its_file(diagnosed: Diagnosis) -> None:
+    robot = pkmodes.read_robot(CAMPAIGN.with_name("robot.toml"))
+    from_file = report(diagnosed, robot=robot, campaign=CAMPAIGN)
+    assert 'id="responses"' in from_file
+    assert report(diagnosed, robot=robot, campaign=campaign()) == from_file

@@ -71,6 +71,25 @@ def test_the_title_carries_the_doubt(p: float, headline: str, colour: str) -> No
     assert tone(page) == colour
 
 
+def test_how_sure_says_what_is_more_probable_than_a_doubtful_claim() -> None:
+    sentence = "More probable is something that is not among the candidates (75 %)."
+    assert sentence in said(claimed(0.25))["how sure"]
+    assert "More probable" not in said(claimed(0.75))["how sure"]
+
+
+def test_the_title_says_that_other_errors_give_another_verdict() -> None:
+    """A claim of 99 % that holds only with the errors exactly as stated is in doubt."""
+    names = claimed(0.99).effects[0].members
+    entries = (Stability("sigma x 0.5", "ambiguous", names), Stability("sigma x 2", "ambiguous", names))
+    result = claimed(0.99, stability=entries)
+    assert verdict_headline(result).startswith("Cause found: ")
+    assert "; with sigma halved or sigma doubled, the verdict changes" in verdict_headline(result)
+    assert tone(report(result)) == "open"
+    expected = claimed(0.99, stability=(Stability("sigma x 0.5", "unexplained", ()),))
+    assert "the verdict changes" not in verdict_headline(expected)
+    assert tone(report(expected)) == "found"
+
+
 def belts(first: float, second: float, error: float = 0.005) -> Finding:
     """A class of two: the belts are unequal, with these changes and an unknown mean, or one has another width."""
     a = np.array([first, second])
@@ -200,25 +219,3 @@ def test_what_makes_a_size_far_less_sure_is_the_next_measurement(unseen: Unseen,
     )
     little = replace(unseen, sigma=0.01)
     assert said(sized(1.0, unseen=little))["measure next"].startswith("No next measurement is proposed: ")
-
-
-def test_a_title_says_on_what_its_claim_depends() -> None:
-    """Smaller errors alone make any claim unexplained; a second change, or one by the priors, is a condition."""
-    result, _ = made_up(4, 3)
-    effect = Finding("a", ("a",), (), {"a": ()}, 1e-9, "a gives")
-    claimed = replace(result, verdict="effect_found", effects=(effect,), probabilities=None)
-
-    def title(**verdicts: str) -> str:
-        changes = {"sigma x 0.5": "halved", "sigma x 2": "doubled", "priors x 2": "priors"}
-        entries = tuple(
-            Stability(change, verdicts.get(key, "effect_found"), ("a",) if key not in verdicts else ())
-            for change, key in changes.items()
-        )
-        return verdict_headline(replace(claimed, stability=entries))
-
-    assert title() == title(halved="unexplained") == "Cause found: a gives"
-    assert (
-        title(halved="unexplained", doubled="adequate")
-        == "Cause found, if the stated errors are right: a gives"
-    )
-    assert title(priors="adequate") == "Cause found, if the priors are right: a gives"

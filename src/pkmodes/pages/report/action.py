@@ -183,7 +183,8 @@ def _effect_on_frequencies(result: Diagnosis) -> list[Cell]:
     verb = "lower" if max(sizes) <= 0.0 else "raise" if min(sizes) >= 0.0 else "change"
     subject = f"they {verb}" if len(result.effects) > 1 else f"it {verb}s"
     refitted = any(value.after != value.before for value in result.refitted)
-    example_start = ". With the refitted values, mode" if refitted else ": mode"
+    causes = "these" if len(result.effects) > 1 else "this"
+    example_start = f". With {causes} and the other refitted values together, mode" if refitted else ": mode"
     new_modes_start = "another is" if len(new_frequencies) == 1 else "others are"
     unpaired_count = len(result.rows) - len(changes)
     measured_modes = (

@@ -12,9 +12,6 @@ from pkmodes.loop.diagnosis.verdict.findings import saved_as
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.loop.diagnosis.verdict.rows import Error
 from pkmodes.loop.diagnosis.verdict.stability_words import (
-    DOUBLED_ERRORS,
-    HALVED_ERRORS,
-    WIDENED_PRIORS,
     is_stable,
     same_verdict,
 )
@@ -41,7 +38,7 @@ def certainty(result: Diagnosis) -> list[Cell]:
     """Return how certain the verdict is, what limits it, and how well the size of a cause is known."""
     if result.beyond is not None and (term_class := claimed_term_class(result)):
         return [Cell(" ".join(map(to_sentence, _certainty_of_terms(result.beyond, term_class))))]
-    p, includes_excluded = _claim_probability(result)
+    p, excluded = _claim_probability(result)
     likelihood = (
         "the tests allow that"
         if p is None
@@ -50,16 +47,22 @@ def certainty(result: Diagnosis) -> list[Cell]:
     has_several_causes = len(result.effects) > 1
     has_alternatives = any(len(effect.members) > 1 for effect in result.effects)
     subject = "these" if has_several_causes else "one of these" if has_alternatives else "this"
-    lookalike_clause = (
-        f", or what acts like {'this' if subject == 'this' else 'these'}," if includes_excluded else ""
-    )
-    causes_clause = (
-        f"{subject}{lookalike_clause} {'are the causes' if has_several_causes else 'is the cause'}"
-    )
+    causes_clause = f"{subject} {'are the causes' if has_several_causes else 'is the cause'}"
+    if excluded:
+        noun = "pair" if has_several_causes else "explanation"
+        others = f"1 other {noun} that acts" if excluded == 1 else f"one of {excluded} other {noun}s that act"
+        causes_clause = f"the cause{'s are' if has_several_causes else ' is'} {subject} or {others} alike"
     claim = VERDICTS[result.verdict].sure.format(likely=likelihood, what=causes_clause)
-    sentences = [claim if p is None else f"{claim} (probability {_probability_text(p)})"]
-    if includes_excluded:
-        sentences.append(f"of the causes that act alike, the tests leave only {subject}")
+    of_all = " for all of them together" if excluded else ""
+    sentences = [claim if p is None else f"{claim} (probability {_probability_text(p)}{of_all})"]
+    if excluded:
+        remaining = "the alternatives named" if subject == "one of these" else subject
+        sentences.append(f"of these, the tests of the verdict leave only {remaining}")
+    if doubtful_probability(result) and result.probabilities is not None:
+        explanation, top_probability = result.probabilities.top
+        if explanation == OUTSIDE:
+            outside = _probability_text(top_probability)
+            sentences.append(f"more probable is something that is not among the candidates ({outside})")
     if has_alternatives:
         sentences.append("these data cannot tell which of the alternatives it is")
     values = [
@@ -72,10 +75,8 @@ def certainty(result: Diagnosis) -> list[Cell]:
         # A small error is not told where the verdict depends on the stated ones; that a size is hardly known, always.
         error = None if depends_on_errors and relative_sigma < MIN_TOLD_SIGMA else result.after
         sentences += [accuracy] if (accuracy := _accuracy_of_size(relative_sigma, error)) else []
-    if result.settled and result.stability and not is_stable(result):
-        deciding_changes = [entry.change for entry in result.stability if not same_verdict(result, entry)]
-        words = joined([CHANGE_TITLES.get(change, change) for change in deciding_changes], "or")
-        sentences.append(f"with {words}, the verdict changes")
+    if clause := deciding_errors(result):
+        sentences.append(clause)
     if not result.settled and not result.survivors and result.probabilities is not None:
         explanation, p = result.probabilities.top
         if explanation == OUTSIDE:
@@ -133,28 +134,27 @@ def doubtful_probability(result: Diagnosis) -> str:
     return _probability_text(p) if result.effects and p is not None and p < MIN_LIKELY_PROBABILITY else ""
 
 
-def condition_of_claim(result: Diagnosis) -> str:
-    """Return on what a claim depends: the stated errors or priors; empty for none, or where it is stable."""
-    if not result.effects or not result.stability or is_stable(result):
+def deciding_errors(result: Diagnosis) -> str:
+    """Return with which other errors or priors a claim has another verdict, as a clause; empty if it is stable."""
+    if not result.settled or not result.stability or is_stable(result):
         return ""
-    deciding_changes = {entry.change for entry in result.stability if not same_verdict(result, entry)}
-    subjects = ["stated errors"] if deciding_changes & {HALVED_ERRORS, DOUBLED_ERRORS} else []
-    subjects += ["priors"] if WIDENED_PRIORS in deciding_changes else []
-    return f"if the {joined(subjects)} are right"
+    deciding_changes = [entry.change for entry in result.stability if not same_verdict(result, entry)]
+    words = joined([CHANGE_TITLES.get(change, change) for change in deciding_changes], "or")
+    return f"with {words}, the verdict changes"
 
 
-def _claim_probability(result: Diagnosis) -> tuple[float | None, bool]:
-    """Return the probability of the claim, and whether it includes causes that the tests of the verdict excluded.
+def _claim_probability(result: Diagnosis) -> tuple[float | None, int]:
+    """Return the probability of the claim, and how many explanations in it the tests of the verdict excluded.
 
     None if nothing is claimed, or its probability is unknown.
     """
     probabilities = result.probabilities
     if probabilities is None or not result.settled:
-        return None, False
+        return None, 0
     if not result.effects:
-        return probabilities.nothing_missing, False
+        return probabilities.nothing_missing, 0
     claimed = [set(effect.members) for effect in result.effects]
-    p, includes_excluded = 0.0, False
+    p, excluded = 0.0, 0
     for statement in probabilities.classes if len(claimed) == 1 else probabilities.pairs:
         causes = [(member,) if isinstance(member, str) else member for member in statement.members]
         matches = [  # whether they are those claimed, one of each class
@@ -162,8 +162,8 @@ def _claim_probability(result: Diagnosis) -> tuple[float | None, bool]:
             for names in causes
         ]
         if any(matches):
-            p, includes_excluded = p + statement.probability, includes_excluded or not all(matches)
-    return p, includes_excluded
+            p, excluded = p + statement.probability, excluded + matches.count(False)
+    return p, excluded
 
 
 def _probability_text(p: float) -> str:

@@ -22,7 +22,7 @@ from pkmodes.pages.report import explanations, figures, numbers
 from pkmodes.pages.report.action import recommended_action
 from pkmodes.pages.report.beyond import beyond_blocks
 from pkmodes.pages.report.blocks import Block, Cell, Paragraph, Section, Summary, TextDifference
-from pkmodes.pages.report.certainty import condition_of_claim, doubtful_probability
+from pkmodes.pages.report.certainty import deciding_errors, doubtful_probability
 from pkmodes.pages.report.contrast import contrast_of_parts
 from pkmodes.pages.report.damping import damping_blocks, stability_clause
 from pkmodes.pages.report.formatting import (
@@ -138,8 +138,10 @@ def _summary(result: Diagnosis, context: ReportContext) -> Summary:
 
 def _colour(result: Diagnosis) -> Colour:
     """Return the colour of the heading: that of the verdict, or of doubt."""
-    is_doubtful = doubtful_probability(result) or (
-        result.verdict == ADEQUATE.word and (result.headline or [*_large_refits(result)])
+    is_doubtful = (
+        doubtful_probability(result)
+        or (result.effects and deciding_errors(result))
+        or (result.verdict == ADEQUATE.word and (result.headline or [*_large_refits(result)]))
     )
     return AMBIGUOUS.colour if is_doubtful else VERDICTS[result.verdict].colour
 
@@ -163,15 +165,16 @@ def verdict_headline(result: Diagnosis, context: ReportContext | None = None) ->
     verdict = VERDICTS[result.verdict].sentence.format(
         causes=causes, s="s" if len(result.effects) > 1 else ""
     )
-    if condition := condition_of_claim(result):
-        verdict = verdict.replace(": ", f", {condition}: ", 1)
-    if probability := doubtful_probability(result):
+    probability = doubtful_probability(result)
+    if probability:
         verdict = f"Doubtful ({probability}): {verdict[0].lower()}{verdict[1:]}"
     additions = [
         part_contrast.sentence
         for effect in result.effects
         if (part_contrast := contrast_of_parts(effect, context)) is not None
     ]
+    if result.effects and not probability and (clause := deciding_errors(result)):
+        additions.append(clause)
     additions += [clean(result.headline)] if result.headline else []
     if result.verdict == ADEQUATE.word:
         additions += [

@@ -17,7 +17,7 @@ from pkmodes.loop.diagnosis.states.result import Change
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.updating.declared_spread import declared_spread
-from pkmodes.modaltest.campaign.campaign import read_campaign
+from pkmodes.modaltest.campaign.campaign import Campaign, read_campaign
 from pkmodes.pages.plots.evidence import PlottedEvidence
 from pkmodes.pages.report import figures
 from pkmodes.pages.report.blocks import Block, Section
@@ -43,7 +43,7 @@ def report(
     title: str | None = None,
     sources: Sequence[Source] | None = None,
     view: str | None = None,
-    campaign: str | PathLike[str] | None = None,
+    campaign: Campaign | str | PathLike[str] | None = None,
 ) -> str:
     """Return the report of a diagnosis, of what changed, or of a comparison.
 
@@ -63,9 +63,9 @@ def report(
         The input files, by default those that the robot and the measurements were read from.
     view : str, optional
         HTML of a view in three dimensions, from `view_of_result`; by default there is none.
-    campaign : path-like, optional
-        The campaign file that the measurements were identified from: the page of a diagnosis then shows its frequency
-        responses over those of the robot before and after the correction.
+    campaign : Campaign or path-like, optional
+        The campaign that the measurements were identified from, or its file: the page of a diagnosis then shows its
+        frequency responses over those of the robot before and after the correction.
 
     Returns
     -------
@@ -105,7 +105,8 @@ def report(
     if isinstance(result, Diagnosis):
         response_blocks: list[Block] = []
         if campaign is not None and declared is not None:
-            response_blocks = measured_responses(result, declared, read_campaign(campaign))
+            campaign = campaign if isinstance(campaign, Campaign) else read_campaign(campaign)
+            response_blocks = measured_responses(result, declared, campaign)
         return diagnosis_page(result, evidence, context, response_blocks)
     sections = [
         *figures.figure_sections(evidence),
