@@ -29,7 +29,7 @@ SCHEMAS = {
 OF_SOME = (
     *("carriage_positions", "set", "damping", "sigma_damping", "predicted_damping"),
     *("damping_before", "damping_after", "damping_used", "sigma_damping_used", "damping_remark"),
-    *("hidden_by", "level", "nearest", "nearest_hz", "nearest_mac"),
+    *("beyond_hz", "hidden_by", "level", "nearest", "nearest_hz", "nearest_mac"),
 )
 #: Writes a robot file, and no JSON.
 NONE = {"new"}
