@@ -146,10 +146,10 @@ def _member_table(
     if is_single and all(effect.plausible.values()):
         rows, columns = [row[:-1] for row in rows], columns[:-1]
     caption = (
-        f"Size of the cause{', with that mean' if effect.relative() else ''}; its standard deviation includes "
-        "what a candidate that these data do not show could have done to it."
+        f"Size of the cause{', against the declared values' if effect.relative() else ''}; its standard deviation "
+        "includes what a candidate that these data do not show could have done to it."
         if is_single
-        else "The class: each member as if it were the cause."
+        else "The class: each member as if it were the cause, with its values against the declared ones."
     )
     return compact_table(caption, columns, rows)
 
@@ -295,7 +295,8 @@ def _candidate_table(result: Diagnosis) -> Table:
         "Candidates, the most significant score first. Visible from: the smallest change that these data would "
         "probably show (5 \u03c3), of a candidate that they can detect. Limit: how far the value may still be from "
         f"the declared one at 95 %, beside what the diagnosis says; {MISSING} where nothing bounds it within its "
-        "plausible range. That nothing was found is no proof that an effect is absent."
+        "plausible range. A candidate with neither is detectable if its score is significant, or it is part of an "
+        "explanation. That nothing was found is no proof that an effect is absent."
     )
     return compact_table(caption, columns, rows, note=note)
 

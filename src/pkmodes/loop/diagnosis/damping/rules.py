@@ -111,7 +111,9 @@ def common_ratio(e: LossEvidence) -> str:
         is_only_explanation = (
             e.claim.best.causes == (e.common_loss,) and not e.fitter.losses[e.common_loss].claimable
         )
-    return words.common_ratio_sentence(*_fitted_loss(fit, e.common_loss)) if is_only_explanation else ""
+    if not is_only_explanation:
+        return ""
+    return words.common_ratio_sentence(*_fitted_loss(fit, e.common_loss), e.criteria.damping.floor)
 
 
 def scattered(e: LossEvidence) -> LossAnswer | None:

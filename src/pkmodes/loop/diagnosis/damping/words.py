@@ -46,12 +46,16 @@ def damping_clause(fitter: LossFitter, judgement: DampingJudgement, findings: Se
     return f"the damping is not that of the model: {judgement.answer.text}"
 
 
-def common_ratio_sentence(ratio: float, sigma: float) -> str:
-    """Return the sentence for one ratio that explains the damping of a model that declares none."""
+def common_ratio_sentence(ratio: float, sigma: float, min_error: float) -> str:
+    """Return the sentence for one ratio that explains the damping of a model that declares none.
+
+    - min_error: smallest relative error that a measured ratio is taken to have, whatever its file states
+    """
     percent = f"{round_to_sigma(100.0 * ratio, 100.0 * sigma)} %"
     return (
-        f"the file declares no damping; every measured mode agrees with a damping ratio of {percent}, which names no "
-        f'joint: to declare it, write ratio = "{plain(100.0 * ratio, 2)} %" in a table [damping]'
+        f"the file declares no damping; every measured mode agrees with a damping ratio of {percent}, within the "
+        f"{100.0 * min_error:g} % by which tests of one machine differ at least; that names no joint: to declare it, "
+        f'write ratio = "{plain(100.0 * ratio, 2)} %" in a table [damping]'
     )
 
 
