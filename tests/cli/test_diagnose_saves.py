@@ -130,7 +130,7 @@ def test_the_saved_robot_keeps_comments_order_and_all_else(corrected: Saved) -> 
     for line in before:
         comment = line.partition("#")[2]
         assert not comment or any(comment in other for other in after)
-    assert added.count("refitted by pkmodes diagnose") == 3
+    assert added.count("refitted by pkmodes diagnose") + added.count("unchanged by pkmodes diagnose") == 3
     assert "found by pkmodes diagnose" in added
     if corrected.candidate.startswith("parameter:"):
         was = {"link": "was 0.4 m", "axis.s": "was 1.2 m", "axis.j": "was 0.03 m", "axis.1": "was 0.015 m"}

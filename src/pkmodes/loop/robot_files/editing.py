@@ -215,6 +215,11 @@ class ValueNotation:
         """Return the notation for a value that is new in the document."""
         return cls() if unit == "1" else cls(1.0, '"', f' {unit.replace(" ", "*")}"')
 
+    @property
+    def beside_sigma(self) -> ValueNotation:
+        """The notation of a value and of its absolute standard deviation: without per cent, for both alike."""
+        return ValueNotation() if "%" in self.after else self
+
     def number(self, value: float, digits: int) -> str:
         """Format a value as TOML."""
         return f"{self.before}{value / self.scale + 0.0:.{digits}g}{self.after}"  # + 0.0: no minus zero
@@ -224,12 +229,13 @@ class ValueNotation:
 
         Rounded down, it would be smaller than that in a table of correlations, which has more digits.
         """
-        notation = ValueNotation() if "%" in self.after else self
+        notation = self.beside_sigma
         digits = Decimal(repr(value / notation.scale))
         written = Context(prec=SIGMA_DIGITS, rounding=ROUND_CEILING).plus(digits)
         return f"{notation.before}{sigma_text(float(written))}{notation.after}"
 
     def quantity(self, value: float, sigma: float | None, digits: int) -> str:
         """Format a value as TOML, with its standard deviation if it has one."""
-        number = self.number(value, digits)
-        return number if sigma is None else f"{{ value = {number}, sigma = {self.sigma(sigma)} }}"
+        if sigma is None:
+            return self.number(value, digits)
+        return f"{{ value = {self.beside_sigma.number(value, digits)}, sigma = {self.sigma(sigma)} }}"

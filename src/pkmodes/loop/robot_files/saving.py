@@ -236,8 +236,10 @@ def _rewrite(document: TomlText, keys: Keys, edit: Correction, declared: Quantit
     written = document.find(keys)
     if isinstance(written, dict):
         notation = ValueNotation.of(written["value"], declared.unit)
-        document.replace((*keys, "value"), notation.number(edit.value, edit.digits))
         relative = "%" in str(written.get("sigma", ""))
+        has_new_sigma = edit.sigma is not None or (relative and declared.sigma is not None)
+        value_notation = notation.beside_sigma if has_new_sigma else notation
+        document.replace((*keys, "value"), value_notation.number(edit.value, edit.digits))
         if edit.sigma is not None and "sigma" not in written:
             document.insert((*keys, "sigma"), notation.sigma(edit.sigma))
         elif edit.sigma is not None:

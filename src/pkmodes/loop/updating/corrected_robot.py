@@ -14,13 +14,13 @@ from pkmodes.core.robot.covariance import Covariance
 from pkmodes.core.robot.parameter_groups import groups_by_path
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.writing import write_file
-from pkmodes.loop.diagnosis.verdict.findings import Corrected
+from pkmodes.loop.diagnosis.verdict.findings import Corrected, wider_than_declared_in_words
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.loop.robot_files.saving import Correction, corrected_text, save_corrected
 from pkmodes.loop.sensitivity.paths import resolve
 from pkmodes.loop.updating import frame
 from pkmodes.loop.updating.measured_robot import robot_of
-from pkmodes.loop.updating.saved_term import robot_with_term, term_to_save
+from pkmodes.loop.updating.saved_term import change_note, robot_with_term, term_to_save
 
 
 def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
@@ -29,7 +29,6 @@ def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
     The standard deviations include the possible effect of candidates that the data cannot detect.  Losses found from
     the damping are among the changes; they change no other value.
     """
-    widened_names = {value.name for value in widened_values(diagnosis)}
     causes = {
         v.name: finding.member(finding.name).assumed
         for finding in diagnosis.every_cause
@@ -39,27 +38,37 @@ def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
     for value in (*diagnosis.corrected, *diagnosis.damping.corrected):
         if value.name.startswith(frame.OF_MEASUREMENT):
             continue  # it concerns the measurements, not the robot
-        note = "found by pkmodes diagnose" if value.name in causes else "refitted by pkmodes diagnose"
-        if assumed := causes.get(value.name):
-            note += f", for {assumed}"
-        unit = "" if value.unit == "1" else f" {value.unit}"
-        if value.name in widened_names and value.unseen is not None:
-            agent = value.unseen.agent
-            note += (
-                f"; sigma includes what {agent} could have done (fit alone: {plain(value.sigma, 2)}{unit})"
-            )
-        if value.unseen is not None and value.unseen.unbounded:
-            note += (
-                f"; sigma leaves out what an unseen {value.unseen.unbounded} could have done, which these data do "
-                "not bound"
-            )
-        if value.name in robot.quantities or not value.name.startswith(("effects.", DAMPING_RATIO)):
-            # No generated number depends on the damping ratio, so that it has no parameter path.
-            loss = value.name == DAMPING_RATIO
-            before = robot.damping_ratio if loss else resolve(robot, value.name).value
-            note = f"was {before:.6g}{unit}: {note}"
-        changes[value.name] = Correction(value.value, value.saved_sigma, note)
+        changes[value.name] = Correction(value.value, value.saved_sigma, _note(robot, value, causes))
     return changes
+
+
+def _note(robot: Robot, value: Corrected, causes: Mapping[str, str]) -> str:
+    """Return the comment on a corrected value: what it was, who changed it, and what its sigma includes.
+
+    - causes: the defaults on which the value of a cause depends, by the names of the values of all causes
+    """
+    unit = "" if value.unit == "1" else f" {value.unit}"
+    declared = None
+    if value.name in robot.quantities or not value.name.startswith(("effects.", DAMPING_RATIO)):
+        # No generated number depends on the damping ratio, so that it has no parameter path.
+        loss = value.name == DAMPING_RATIO
+        declared = robot.damping_ratio if loss else resolve(robot, value.name).value
+    note = change_note(value, declared, "found" if value.name in causes else "refitted")
+    if assumed := causes.get(value.name):
+        note += f", for {assumed}"
+    if value.unseen is not None and value.widened:
+        note += (
+            f"; sigma includes what {value.unseen.agent} could have done (fit alone: "
+            f"{plain(value.sigma, 2)}{unit})"
+        )
+    if clause := wider_than_declared_in_words(value):
+        note += f"; {clause}"
+    if value.unseen is not None and value.unseen.unbounded:
+        note += (
+            f"; sigma leaves out what an unseen {value.unseen.unbounded} could have done, which these data do "
+            "not bound"
+        )
+    return note
 
 
 def covariance(robot: Robot, diagnosis: Diagnosis) -> Covariance | None:

@@ -19,6 +19,8 @@ from pkmodes.loop.updating.measured_robot import robot_of
 
 #: Significant digits of an effect's value.
 DIGITS = 10
+#: Significant digits of the value before, in a comment.
+NOTED_DIGITS = 6
 
 
 def effect_name(term: str) -> str:
@@ -92,10 +94,8 @@ def robot_with_term(robot: Robot | Model, result: Diagnosis) -> str:
         if value.name in term_values and best.forms[term] != DECLARED:
             added.append(value)
             continue
-        before = resolve(declared, value.name).value
-        unit = "" if value.unit == "1" else f" {value.unit}"
         verb = "found" if value.name in term_values else "refitted"
-        note = f"was {before:.6g}{unit}: {verb} by pkmodes diagnose"
+        note = change_note(value, resolve(declared, value.name).value, verb)
         changes[value.name] = Correction(value.value, value.saved_sigma, note)
     text = corrected_text(Path(declared.source), changes)
     if not added:
@@ -107,6 +107,17 @@ def robot_with_term(robot: Robot | Model, result: Diagnosis) -> str:
         quantity = f'value = "{value.value:.{DIGITS}g} {unit}", sigma = "{sigma_text(value.sigma)} {unit}"'
         lines.append(f"{best.quantity(term, value)} = {{ {quantity} }}\n")
     return text.rstrip("\n") + "\n" + "".join(lines)
+
+
+def change_note(value: Corrected, before: float | None, verb: str) -> str:
+    """Return the comment on a saved value: what it was, None for a value that is new, and what was done to it."""
+    if before is None:
+        return f"{verb} by pkmodes diagnose"
+    shown_before, shown_after = (f"{number:.{NOTED_DIGITS}g}" for number in (before, value.value))
+    if shown_before == shown_after:
+        return "unchanged by pkmodes diagnose"
+    unit = "" if value.unit == "1" else f" {value.unit}"
+    return f"was {shown_before}{unit}: {verb} by pkmodes diagnose"
 
 
 def term_to_save(result: Diagnosis) -> TermClass | None:

@@ -15,7 +15,7 @@ import msgspec
 from msgspec import Meta
 
 from pkmodes.core.base.drives import Drives, motors_instruction
-from pkmodes.core.base.numbers import Rounded, round_to_sigma
+from pkmodes.core.base.numbers import Rounded, plain, round_to_sigma
 from pkmodes.core.support.documents import Document
 from pkmodes.loop.diagnosis.verdict.joints import JointAlone
 from pkmodes.loop.diagnosis.verdict.relative import relative_to_mean
@@ -150,6 +150,24 @@ class Corrected(Value):
         return self.saved_sigma > MIN_NOTICEABLE_RATIO * self.sigma
 
 
+def wider_than_declared_in_words(value: Corrected) -> str:
+    """Return why the saved standard deviation is larger than that of the declared value; empty if it is not.
+
+    The unseen candidate may be what moved the value.  Then the declared value holds, with its standard deviation, and
+    the error of the fitted value is that and the move: in quadrature, the largest saved standard deviation.
+    """
+    if value.prior_sigma is None or not value.widened:
+        return ""
+    if value.saved_sigma <= MIN_NOTICEABLE_RATIO * value.prior_sigma or value.unseen is None:
+        return ""
+    unit = "" if value.unit == "1" else f" {value.unit}"
+    move = plain(abs(value.value - value.declared), 2)
+    return (
+        f"that is more than the declared sigma, {plain(value.prior_sigma, 2)}{unit}, because it may be all that "
+        f"moved the value, by {move}{unit}"
+    )
+
+
 def saved_as(value: Value, corrected: Sequence[Corrected]) -> Corrected | None:
     """Return a cause's value as in the corrected robot file; None for another member of a class."""
     return next(
@@ -175,6 +193,7 @@ def explain_saved_sigma(value: Value, corrected: Sequence[Corrected]) -> str:
             f"the standard deviation is {fit_sigma} by the fit alone, and larger by what {unseen.agent} could "
             "have done to the value"
         )
+        parts += [clause] if (clause := wider_than_declared_in_words(saved)) else []
     if unseen.unbounded:
         parts.append(omission_in_words(unseen))
     return "; ".join(parts)
