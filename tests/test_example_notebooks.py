@@ -98,7 +98,7 @@ def test_from_measurements_to_the_cause(
     cells = shown("cause_from_measurements", tmp_path, monkeypatch, update)
     compared, found, corrected, early, proposed = cells
     assert "The differences are larger than the measurement errors." in compared
-    assert "Cause found: the gearboxes wind up." in found
+    assert "Cause found: the gearboxes wind up; " in found
     assert re.search(r"before: as declared\s+0\.71", found)  # README
     assert re.search(r"after: with the cause\s+0\.17", found)
     assert "The differences are within the measurement errors." in corrected

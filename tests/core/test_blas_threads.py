@@ -30,7 +30,12 @@ def test_blas_has_one_thread_while_it_lasts() -> None:
 def test_the_fits_of_a_robot_are_limited(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     seen = []
     monkeypatch.setattr(analyses, "MeasuredRobot", MagicMock())
-    monkeypatch.setattr(analyses.diagnosis, name, lambda *_, **__: seen.append(threads()))
+
+    def fit(*_: object, **__: object) -> MagicMock:
+        seen.append(threads())
+        return MagicMock(corrected=None)
+
+    monkeypatch.setattr(analyses.diagnosis, name, fit)
     with threadpool_limits(limits=2, user_api="blas"):
         getattr(updating, name)(None, None)
     assert seen == [{1}]

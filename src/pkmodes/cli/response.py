@@ -35,12 +35,24 @@ class ResonanceDocument(Document, frozen=True):
     input: Annotated[str, Meta(description="Name of the input.")]
     mode: Annotated[Count, Meta(description="Number of the vibration mode by frequency, from 1 on.")]
     frequency_hz: Annotated[Size, Meta(description="Its undamped natural frequency [Hz].")]
+    frequency_sigma_hz: Annotated[
+        Size | None,
+        Meta(
+            description="Its standard deviation [Hz], from those in the robot file; null if there are none."
+        ),
+    ]
 
     @classmethod
     def of_resonance(cls, resonance: Resonance) -> Self:
         """Return the document of a resonance."""
         output, _, input_name = resonance.channel.partition("/")
-        return cls(output=output, input=input_name, mode=resonance.mode, frequency_hz=resonance.frequency)
+        return cls(
+            output=output,
+            input=input_name,
+            mode=resonance.mode,
+            frequency_hz=resonance.frequency,
+            frequency_sigma_hz=resonance.frequency_sigma,
+        )
 
 
 class ResponseDocument(Document, frozen=True):

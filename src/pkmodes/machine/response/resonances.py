@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.solve.backends import AUTO
+from pkmodes.loop.sensitivity.spread import spread_of
 from pkmodes.machine.response.channels import Index
 from pkmodes.machine.response.drawn_channels import DrawnChannels
 from pkmodes.machine.response.frequency_response import FrequencyResponse, responses
@@ -31,12 +32,15 @@ class Resonance:
     - mode: its number among the vibration modes, 1 for the lowest
     - frequency: undamped natural frequency [Hz]
     - magnitude: magnitude of the response at this frequency, or at `UNDAMPED_OFFSET` from it if the mode is undamped
+    - frequency_sigma: standard deviation of the frequency [Hz], propagated from those in the robot file; None if
+      it states none, or none of them changes this frequency
     """
 
     channel: str
     mode: int
     frequency: float
     magnitude: float
+    frequency_sigma: float | None = None
 
 
 def _modes_in_range(response: FrequencyResponse, index: Index = ()) -> tuple[Array, Array, NDArray[np.intp]]:
@@ -84,7 +88,19 @@ def strongest_resonance(
             k = int(np.where(shows, magnitude, -1.0).argmax())
             if strongest is None or magnitude[k] > strongest.magnitude:
                 strongest = Resonance(name, int(numbers[k]), float(f[k]), float(magnitude[k]))
-    return strongest
+    if strongest is None:
+        return None
+    return replace(strongest, frequency_sigma=_frequency_sigma(response, point, strongest.mode))
+
+
+def _frequency_sigma(response: FrequencyResponse, point: Array, mode: int) -> float | None:
+    """Return the standard deviation of the frequency of a vibration mode [Hz]; None if nothing spreads it."""
+    model = response.request.model
+    sigmas = spread_of(model, point, response.drives)
+    if sigmas is None:
+        return None
+    rigid = model.modes(point, drives=response.drives, fields=["frequencies"]).rigid_modes
+    return float(sigmas[rigid + mode - 1]) or None
 
 
 def strongest_drawn_resonance(response: FrequencyResponse, drawn: DrawnChannels) -> Resonance | None:

@@ -99,7 +99,7 @@ def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChan
     output_port, _, input_port = name.partition("/")
     strongest_text = f"{clean(output_port)} responds most to {clean(input_port)}"
     if resonance is not None:
-        frequency_text = _resonance_in_words(model, response, resonance)
+        frequency_text = _resonance_in_words(resonance)
         mode_text = f"in mode {resonance.mode}, at {frequency_text}"
         headline = f"{clean(output_port)} resonates most with {clean(input_port)} {mode_text}"
         if drawn.measured is not None and name in measured:
@@ -150,17 +150,12 @@ def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChan
     )
 
 
-def _resonance_in_words(model: Model, response: FrequencyResponse, resonance: Resonance) -> str:
+def _resonance_in_words(resonance: Resonance) -> str:
     """Return the frequency of a resonance, with its standard deviation where the robot file states any."""
-    pose = response.poses[response.one(())]
-    sigmas = spread_of(model, pose, response.drives)
-    if sigmas is not None:
-        rigid = model.modes(pose, drives=response.drives, fields=["frequencies"]).rigid_modes
-        sigma = float(sigmas[rigid + resonance.mode - 1])
-        if sigma > 0.0:
-            rounded = round_to_sigma(resonance.frequency, sigma)
-            return f"{rounded.value} {PLUS_MINUS} {rounded.sigma} Hz (from the standard deviations in the robot file)"
-    return f"{numbers.format_frequency(resonance.frequency)} Hz"
+    if resonance.frequency_sigma is None:
+        return f"{numbers.format_frequency(resonance.frequency)} Hz"
+    rounded = round_to_sigma(resonance.frequency, resonance.frequency_sigma)
+    return f"{rounded.value} {PLUS_MINUS} {rounded.sigma} Hz (from the standard deviations in the robot file)"
 
 
 def hertz_with_unit_cell(frequency: float, *json_keys: str) -> Cell:
