@@ -15,6 +15,7 @@ from pkmodes.cli import run
 from pkmodes.core.base.errors import PkmodesError, PoseError
 from pkmodes.loop.robot_files.differences import differences
 from pkmodes.machine.maps.robots_compared import (
+    FrequencyChanges,
     ModeChange,
     compare_frequencies,
     incomparable_modes_sentence,
@@ -83,6 +84,19 @@ def test_modes_keep_the_partner_of_most_similar_shape(model: pkmodes.Model, pose
         exchanged += list(best) != list(range(6))
     assert exchanged > 3, "otherwise numbers alone would do"
     assert unlike > 0, "otherwise every pair would be alike"
+
+
+def test_differences_are_those_to_one_partner() -> None:
+    """A mode that has another partner at one pose of ten does not take the frequency of that one into its range."""
+    relative = np.array([0.01] * 18 + [3.5] * 2)[:, None]
+    partner = np.array([0] * 18 + [1] * 2)[:, None]
+    valid = np.ones(20, dtype=bool)
+    changes = FrequencyChanges(
+        np.zeros((20, 3)), valid, valid, np.ones((20, 1)), relative, partner, np.ones((20, 1)), second_modes=2
+    )
+    (mode,) = mode_changes(changes)
+    assert (mode.poses, mode.partner, mode.exchanged) == (18, 1, pytest.approx(0.1))
+    assert (mode.low, mode.median, mode.high) == pytest.approx((0.01, 0.01, 0.01))
 
 
 def test_modes_that_an_effect_adds_have_no_partner(model: pkmodes.Model, poses: np.ndarray) -> None:
@@ -169,14 +183,19 @@ def test_what_leads_is_the_largest_difference_of_a_mode_that_keeps_its_partner()
     found = largest_difference_sentence([small, exchanged, unlike])
     assert found == "Mode 2 changes most, of the modes that can be followed: +1.20 % in the median"
     said = incomparable_modes_sentence([kept, small, exchanged, unlike])
-    assert said.startswith(
-        "modes 3 and 4 cannot be followed: at more than 10 % of the poses the partner is another"
+    assert said == (
+        "modes 3 and 4 cannot be followed: at 11 % of the poses mode 3 has another partner, or none (at most 10 % is "
+        "allowed); mode 4 is not of one shape in both: the median MAC is 0.79 (at least 0.8 is needed)"
     )
     assert (
         largest_difference_sentence([exchanged])
         == "No mode can be followed from the first robot to the second"
     )
-    assert incomparable_modes_sentence([exchanged]).endswith("so that its quantiles mix motions")
+    assert "shape" not in incomparable_modes_sentence([exchanged])
+    others = [change(5, 0.1, 0.5, 0.9), change(6, 0.1, 0.2, 0.7)]
+    assert incomparable_modes_sentence(others).startswith(
+        "modes 5 and 6 cannot be followed: at 20 to 50 % of the poses modes 5 and 6 have another partner"
+    )
     assert largest_difference_sentence([change(1, 4.9e-5, 0.0, 1.0)]) == "No frequency changes"
     nothing = ModeChange(5, 0, None, None, None, None, None, None)
     assert largest_difference_sentence([kept, nothing]).startswith(

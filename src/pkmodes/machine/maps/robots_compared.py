@@ -17,6 +17,7 @@ from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.documents import Count, Document, Number, Probability
 from pkmodes.core.support.mac import MIN_MAC_OF_PAIR, mass_weighted_mac
+from pkmodes.core.support.ordering import joined
 from pkmodes.core.support.progress import report_progress
 from pkmodes.loop.robot_files.differences import (
     ChoiceDifference,
@@ -82,7 +83,9 @@ class ModeChange(Document, frozen=True):
     mode: Annotated[
         Number, Meta(description="Number by frequency in the first robot: 1 is its first vibration mode.")
     ]
-    poses: Annotated[Count, Meta(description="Poses at which it has a partner in the second robot.")]
+    poses: Annotated[
+        Count, Meta(description="Poses at which it has this partner: those of median, low, high and mac.")
+    ]
     median: Annotated[
         float | None,
         Meta(description="Median of second / first - 1; null, like the next five, without a partner."),
@@ -197,16 +200,39 @@ def largest_difference_sentence(modes: Sequence[ModeChange]) -> str:
 
 def incomparable_modes_sentence(modes: Sequence[ModeChange]) -> str:
     """Return a sentence, without a stop, on the modes that have partners but cannot be followed; empty if none."""
-    names = [str(mode.mode) for mode in modes if mode.poses and not mode.comparable]
-    if not names:
+    paired = [mode for mode in modes if mode.poses and not mode.comparable]
+    if not paired:
         return ""
-    several = len(names) > 1
-    modes_text = f"modes {', '.join(names[:-1])} and {names[-1]}" if several else f"mode {names[0]}"
-    return (
-        f"{modes_text} cannot be followed: at more than {100.0 * MAX_EXCHANGED:g} % of the poses the partner is "
-        f"another one or there is none, or the median MAC is below {MIN_MAC:g}, so that "
-        f"{'their' if several else 'its'} quantiles mix motions"
-    )
+    exchanging = [mode for mode in paired if (mode.exchanged or 0.0) > MAX_EXCHANGED]
+    unlike = [mode for mode in paired if mode not in exchanging]
+    reasons = []
+    if exchanging:
+        shares_text = _range_text([100.0 * (mode.exchanged or 0.0) for mode in exchanging], "{:.0f}", " %")
+        verb = "has" if len(exchanging) == 1 else "have"
+        reasons.append(
+            f"at {shares_text} of the poses {_modes_in_words(exchanging)} {verb} another partner, or none (at most "
+            f"{100.0 * MAX_EXCHANGED:g} % is allowed)"
+        )
+    if unlike:
+        mac_text = _range_text([mode.mac or 0.0 for mode in unlike], "{:.2f}", "")
+        verb = "is" if len(unlike) == 1 else "are"
+        reasons.append(
+            f"{_modes_in_words(unlike)} {verb} not of one shape in both: the median MAC is {mac_text} (at least "
+            f"{MIN_MAC:g} is needed)"
+        )
+    return f"{_modes_in_words(paired)} cannot be followed: {'; '.join(reasons)}"
+
+
+def _modes_in_words(modes: Sequence[ModeChange]) -> str:
+    """Return some modes by their numbers."""
+    noun = "mode" if len(modes) == 1 else "modes"
+    return f"{noun} {joined([str(mode.mode) for mode in modes])}"
+
+
+def _range_text(values: Sequence[float], spec: str, unit: str) -> str:
+    """Return from where to where some values go."""
+    first, last = (spec.format(value) for value in (min(values), max(values)))
+    return f"{first}{unit}" if first == last else f"{first} to {last}{unit}"
 
 
 def compare_frequencies(
@@ -252,15 +278,16 @@ def _drives_of_both(first: Robot, second: Robot, drives: str | None) -> str:
 
 
 def mode_changes(changes: FrequencyChanges) -> tuple[ModeChange, ...]:
-    """Return the distribution of each mode's difference over the poses."""
+    """Return the distribution of each mode's difference over the poses at which it has its most frequent partner."""
     modes, shared_pose_count = [], changes.counts.both
     for mode in range(changes.modes):
-        paired = np.isfinite(changes.relative[:, mode])
-        if not paired.any():
+        partners = changes.partner[changes.partner[:, mode] >= 0, mode]
+        if not len(partners):
             modes.append(ModeChange(mode + 1, 0, None, None, None, None, None, None))
             continue
-        relative, partner = changes.relative[paired, mode], changes.partner[paired, mode]
-        dominant = int(np.bincount(partner).argmax())
+        most_frequent = int(np.bincount(partners).argmax())
+        paired = changes.partner[:, mode] == most_frequent
+        relative = changes.relative[paired, mode]
         low, high = np.quantile(relative, RANGE_QUANTILES)
         modes.append(
             ModeChange(
@@ -269,8 +296,8 @@ def mode_changes(changes: FrequencyChanges) -> tuple[ModeChange, ...]:
                 float(np.median(relative)),
                 float(low),
                 float(high),
-                dominant + 1,
-                float(1.0 - (partner == dominant).sum() / shared_pose_count),
+                most_frequent + 1,
+                float(1.0 - paired.sum() / shared_pose_count),
                 float(np.median(changes.mac[paired, mode])),
             )
         )

@@ -145,7 +145,8 @@ def frequency_difference_blocks(content: dict[str, Any]) -> Iterator[ValueBlock]
     titles += ["2 %", "median", "98 %", "exchanged [%]", "MAC"]
     groups = [("", 2 + counts_differ), ("difference [%]", 3), ("", 2)]
     caption = (
-        "Relative difference of each frequency: its median, and the values below which 2 % and 98 % lie."
+        "Relative difference of each frequency where the mode has the partner named: its median, and the values "
+        "below which 2 % and 98 % lie."
     )
     yield Table(caption, [Column(title) for title in titles], rows, groups)
     yield Paragraph(
