@@ -66,7 +66,7 @@ class _Reader(HTMLParser):
         self._open.pop()
 
     def handle_data(self, data: str) -> None:
-        self._open[-1].children.append(data)
+        self._open[-1].children.append(data.replace("\u00a0", " "))  # where a line may end is no text
 
 
 def read(html: str) -> Element:

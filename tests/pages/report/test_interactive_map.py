@@ -332,4 +332,5 @@ def test_the_cursor_and_the_view_begin_at_one_pose(
             "return [s.pose, s.exact]; })()"
         )
         assert state == [pytest.approx(cursor, abs=2e-6), True]
-        assert f"The machine in its modes{robot_shown}. It moves" in browser.page.locator("main").inner_text()
+        text = browser.page.locator("main").inner_text().replace("\u00a0", " ")
+        assert f"The machine in its modes{robot_shown}. It moves" in text

@@ -97,7 +97,7 @@ def test_a_fitted_value_stands_below_what_it_is(page: Element) -> None:
         "\u03c3 of fit": "0.01",
         "unit": "kg",
         "prior \u03c3": "0.2",
-        "moved [prior\u00a0\u03c3]": "+1.5",
+        "moved [prior \u03c3]": "+1.5",
     }
 
 

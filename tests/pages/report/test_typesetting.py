@@ -13,7 +13,7 @@ from helpers.pages.report_examples import made_up
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.loop.diagnosis.verdict.findings import Corrected, Examined, Limit, Value
 from pkmodes.pages.report import explanations, numbers
-from pkmodes.pages.report.blocks import Summary, Table
+from pkmodes.pages.report.blocks import Cell, Facts, Section, Summary, Table, TextDifference, VerbatimLines
 from pkmodes.pages.report.formatting import (
     display_unit,
     group_thousands,
@@ -174,3 +174,28 @@ def test_a_page_has_the_date_of_the_day(monkeypatch: pytest.MonkeyPatch) -> None
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "yesterday")
     with pytest.raises(PkmodesError, match="expected whole seconds since 1970"):
         date_of_page()
+
+
+def test_a_line_does_not_end_between_a_number_and_its_unit() -> None:
+    """Nor after a minus sign; lines to copy have the plain spaces, and names break after dots and underscores."""
+    summary = Summary(
+        "robot",
+        "Report",
+        "It leaves 10 % of 5 kHz",
+        reason='By 3 mm, 2 sigma; model / measurement \u2212 1, write "2 %".',
+    )
+    blocks = [
+        VerbatimLines("firmware", ["ratio = 2 % # leaves 3 %"]),
+        TextDifference("file", ["-sigma = 2 %"]),
+        Facts([("value", [Cell("", identifier="effects.servo_stiffness.k<1>")])]),
+    ]
+    text = page(summary, [Section("lines", "Lines", blocks)])
+    for kept in (
+        "It leaves 10\u00a0% of 5\u00a0kHz",
+        "By 3\u00a0mm, 2\u00a0sigma; model / measurement \u2212\u00a01,",
+        "write &#34;2 %&#34;",
+        "ratio = 2 % # leaves 3 %",
+        "-sigma = 2 %",
+        "effects.<wbr>servo_<wbr>stiffness.<wbr>k&lt;1&gt;",
+    ):
+        assert kept in text

@@ -93,7 +93,7 @@ def certainty(result: Diagnosis) -> list[Cell]:
                 f"({_probability_text(p)})"
             )
     text = " ".join(map(to_sentence, sentences))
-    return [Cell(text.replace(" %", "\u00a0%"), plain_text=text)]
+    return [Cell(text, plain_text=text)]
 
 
 def _accuracy_of_size(relative_sigma: float, error: Error | None) -> str:

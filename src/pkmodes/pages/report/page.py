@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Sequence
 from datetime import UTC, datetime
 from functools import cache
 from importlib.resources import files
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.base.version import VERSION
@@ -17,12 +18,20 @@ from pkmodes.pages.report.blocks import Section, Summary
 
 if TYPE_CHECKING:
     from jinja2 import Environment
+    from markupsafe import Markup
 
 TEMPLATES, PAGE, STYLE, BROWSER = "templates", "page.html.j2", "style.css", "browser"
 #: Variable of the environment with the time of reproducible files (reproducible-builds.org).
 EPOCH_VARIABLE = "SOURCE_DATE_EPOCH"
 #: Program that pages with folded sections need.
 FOLDING_PROGRAM = "fold"
+#: A space at which a line must not end: between a number and its unit (in quotes it may be copied into a file), and
+#: between a minus sign and its number.
+UNBREAKABLE_SPACE = re.compile(
+    r"(?<=\d) (?=(?:%|\u00b0|\u03c3|sigma|[\u00b5mk]?m|m?s|k?Hz|k?g|k?N|[m\u00b5]?rad|dB)(?:[^\w\"]|$))"
+    r"|(?<=\u2212) (?=\d)"
+)
+NO_BREAK_SPACE = "\u00a0"
 
 
 def need_report() -> None:
@@ -80,11 +89,26 @@ def date_of_page() -> str:
 def _environment() -> Environment:
     from jinja2 import Environment, PackageLoader, StrictUndefined
 
-    return Environment(
+    environment = Environment(
         loader=PackageLoader(__package__, TEMPLATES),
         autoescape=True,
+        finalize=_with_unbreakable_spaces,
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
+    environment.filters["breakable"] = _breakable
+    return environment
+
+
+def _with_unbreakable_spaces(value: Any) -> Any:
+    """Return a text with no-break spaces before units; what is HTML already, or was escaped, as it is."""
+    return UNBREAKABLE_SPACE.sub(NO_BREAK_SPACE, value) if type(value) is str else value
+
+
+def _breakable(name: str) -> Markup:
+    """Return a dotted path that may be broken after a dot or an underscore, as HTML."""
+    from markupsafe import Markup, escape
+
+    return Markup(re.sub(r"([._])", r"\1<wbr>", str(escape(name))))
