@@ -42,7 +42,8 @@ def test_what_was_refitted_is_said_with_its_size_in_standard_deviations_of_the_p
         # An unseen candidate moves it by 1.645 of its standard deviations at its limit.
         (
             refitted(11.6, unseen=1.0),
-            "servo.stiffness was refitted from 10 to 11.6 +- 1.0 N*m/rad, which an unseen clamps could have done",
+            "servo.stiffness was refitted from 10 to 11.6 +- 1.0 N*m/rad "
+            "(an undetected clamps would have the same effect)",
         ),
         (refitted(11.7, unseen=1.0), ""),
         (refitted(10.2, unseen=1.0), ""),  # within what the fit leaves open
@@ -132,8 +133,8 @@ def test_the_sigma_that_may_be_relied_on_comes_first_and_the_reason_why_with_it(
     (value,) = found.effects[0].parameters
     assert with_saved_sigma(value, found.corrected).sigma == pytest.approx(np.hypot(0.01, 0.04))
     why = (
-        "the standard deviation is 0.010 by the fit alone, and larger by what an unseen belt_mass could have "
-        "done to the value"
+        "the standard deviation is 0.010 by the fit alone, and larger because an undetected belt_mass may have "
+        "moved the value"
     )
     assert explain_saved_sigma(value, found.corrected) == why
     assert "payload.mass = 0.300 +- 0.041 kg" in str(found)

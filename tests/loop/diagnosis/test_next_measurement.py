@@ -162,7 +162,7 @@ def test_it_is_said_why_nothing_is_proposed() -> None:
     )
     there = structure()[0].there(0.03, 0.0)
     most = max(apart(alike, there, setup) for setup in range(3))
-    assert float(reason.removesuffix(" at most").split()[-1]) == pytest.approx(most, rel=0.05)
+    assert float(reason.removesuffix(" standard deviations").split()[-1]) == pytest.approx(most, rel=0.05)
     assert alike.as_json()["next_measurement_reason"] == reason
 
 

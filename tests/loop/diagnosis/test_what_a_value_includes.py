@@ -59,13 +59,12 @@ def test_a_candidate_without_a_limit_is_named_and_not_counted(robot: Path) -> No
         assert abs(value.value - truth) < 2.0 * value.saved_sigma
         assert value.unseen is not None
         assert value.unseen.unbounded
-        expected = (
-            f"it does not include what an unseen {value.unseen.unbounded} could have done, which these data "
-        )
+        agent = value.unseen.unbounded.replace("parameter:", "error in ")
+        expected = f"possible effect of an undetected {agent}, which these data do not bound"
         assert expected in explain_saved_sigma(value, found.corrected)
     saved = robot.parent / "saved.toml"
     updating.save_robot(declared, found, saved)
-    assert "sigma leaves out what an unseen" in saved.read_text(encoding="utf-8")
+    assert "sigma leaves out the possible effect of an undetected " in saved.read_text(encoding="utf-8")
     assert (
         updating.diagnose(read_robot(saved), updating.read(robot.parent / "modes.csv")).verdict == "adequate"
     )
@@ -80,7 +79,7 @@ def test_the_command_shows_the_value_that_was_found(robot: Path) -> None:
     value, sigma = map(float, line.split()[2::2][:2])
     assert value == pytest.approx(-0.08, abs=0.02)
     assert 0.05 < sigma < 0.3
-    assert "it does not include what an unseen" in " ".join(out.split())
+    assert "it does not include the possible effect of an undetected " in " ".join(out.split())
 
 
 def test_a_standard_deviation_is_at_most_what_is_plausible() -> None:
@@ -128,7 +127,7 @@ def test_a_value_that_rests_on_a_default_says_so_and_includes_what_is_unknown(
     )
     (value,) = (value for value in found.corrected if value.name == "effects.frame_compliance.compliance")
     assert abs(value.value - frame.compliance) < 3.0 * value.sigma
-    default = "for a frame.mass of 50 kg, not declared"
+    default = "for a frame.mass of 50 kg, which is assumed"
     assert (default in found.reason) == (default in str(found)) == (not declared)
     assert value.unseen is not None
     assert (value.unseen.default == "a frame.mass of 50 kg") == (not declared)

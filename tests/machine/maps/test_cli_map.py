@@ -201,7 +201,7 @@ def test_motors_are_held_if_asked(tmp_path: Path) -> None:
     text = page.read_text(encoding="utf-8")
     assert "Mapped with motors held: " in text
     assert "The robot as declared, its motors held, in the plane of the map" in text
-    assert "What rings with motors held:" in text
+    assert "Modes with motors held:" in text
     assert text.count("motors held, z =") > 3
     content = json.loads(printed("map", ROBOT, *grid, "--json", "-"))
     assert (content["drives"], content["rigid_modes"], len(content["modes"])) == ("held", 0, 6)

@@ -139,7 +139,7 @@ def test_a_probability_has_the_word_that_was_measured_for_it() -> None:
 def test_a_probability_that_others_share_says_so() -> None:
     shared = claiming(("a",), probabilities=probable(0.95, "a", "b"))["how sure"]
     assert shared.startswith(
-        "It is very likely that the cause is this or 1 other explanation that acts alike (probability 95 % for all "
+        "It is very likely that the cause is this or one other explanation that acts alike (probability 95 % for all "
         "of them together). Of these, the tests of the verdict leave only this."
     )
     of_four = claiming(("a",), probabilities=probable(0.95, "a", "b", "c", "d"))["how sure"]

@@ -214,7 +214,7 @@ def test_a_size_is_no_better_known_than_the_errors_are() -> None:
 def test_what_makes_a_size_far_less_sure_is_the_next_measurement(unseen: Unseen, what: str) -> None:
     """0.01 by the fit and 0.06 unseen: 6.1 times as large together."""
     assert said(sized(1.0, unseen=unseen))["measure next"] == (
-        f"To know the size better, {what}, which could have changed it unseen in these data: because of that, the "
+        f"To know the size better, {what}: an effect of it on the size would not show in these data, so that the "
         "standard deviation of payload.mass is 6.1 times as large as that of the fit."
     )
     little = replace(unseen, sigma=0.01)

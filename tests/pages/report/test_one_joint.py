@@ -47,5 +47,5 @@ def test_the_one_leg_is_the_only_size_in_the_head_and_every_factor_is_in_the_tab
     assert not [name for name in tiles if "factor_" in name]
     table = page.by_id("causes").text
     assert all(name in table for name in FACTORS)
-    assert "Leg 3, which is 25 % softer than the others." in page.text
+    assert "Leg 3, which is 25 % softer than the others: nuts, bearings and joints" in page.text
     assert "parameter:axis.3.leg.stiffness" in page.text

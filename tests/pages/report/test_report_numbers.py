@@ -108,7 +108,8 @@ def test_the_verdict_comes_first(made: Made) -> None:
     summary = next(child for child in main.children if isinstance(child, Element))
     assert summary.attributes["id"] == "summary"
     assert f"Verdict: {made.content['verdict']}" in summary.text
-    assert made.content["reason"][1:].replace("1e-6", "10\u207b\u2076") in summary.text  # as in print
+    printed = made.content["reason"][1:].replace("1e-6", "10\u207b\u2076").replace("chi2", "chi\u00b2")
+    assert printed in summary.text
     assert [item.text[1:].rstrip(".") for item in summary.all("li")] == [
         note[1:].rstrip(".") for note in made.content["notes"]
     ]

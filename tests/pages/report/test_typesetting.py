@@ -19,7 +19,7 @@ from pkmodes.pages.report.formatting import (
     group_thousands,
     plural,
     three_digit_cell,
-    typeset_powers,
+    typeset_sentences,
     unit_text,
 )
 from pkmodes.pages.report.page import date_of_page, page
@@ -47,7 +47,7 @@ from pkmodes.pages.report.report_context import ReportContext
     ],
 )
 def test_powers_of_ten_within_sentences(text: str, expected: str) -> None:
-    assert typeset_powers(text) == expected
+    assert typeset_sentences(text) == expected
 
 
 @pytest.mark.parametrize(

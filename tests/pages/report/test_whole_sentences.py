@@ -16,7 +16,7 @@ from pkmodes.loop.diagnosis.verdict.findings import Examined
 from pkmodes.pages.plots import scores
 from pkmodes.pages.plots.scores import _row_label
 from pkmodes.pages.report import report
-from pkmodes.pages.report.formatting import MAX_LABEL_LENGTH, clean, label_cell, shorten, typeset_powers
+from pkmodes.pages.report.formatting import MAX_LABEL_LENGTH, clean, label_cell, shorten, typeset_sentences
 
 #: Longer than any limit that a label or a sentence ever had.
 LONG = "what was measured there cannot be told from what was measured elsewhere " * 40
@@ -55,7 +55,7 @@ def test_every_sentence_of_a_diagnosis_is_whole(capsys: pytest.CaptureFixture[st
 
 def test_only_what_a_file_names_is_shortened() -> None:
     assert clean(LONG) == LONG
-    assert typeset_powers(LONG) == LONG
+    assert typeset_sentences(LONG) == LONG
     assert len(shorten(LONG)) == MAX_LABEL_LENGTH
     assert shorten(LONG)[-1] == "\u2026"
     assert shorten("P1") == "P1"

@@ -153,5 +153,5 @@ def test_with_held_motors_the_springs_hold_their_energy_and_the_page_says_so() -
     np.testing.assert_allclose(shown.energies[0].sum(axis=1), energy, rtol=1e-9)
     text = page(shown)
     assert "; motors held</p>" in text
-    assert "What rings with motors held:" in text
+    assert "Modes with motors held:" in text
     assert "; motors free</p>" in page(scene(model, [0.1, 0.12], drives="free"))

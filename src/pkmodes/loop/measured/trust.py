@@ -121,8 +121,8 @@ def notes_on_poses(
         label, other = renamed[0]
         notes.append(
             f"Pose {label} of the first file is paired with {other} of the second"
-            f"{f', and {len(renamed) - 1} more in this way' if len(renamed) > 1 else ''}: they have one position, "
-            "and the labels name others."
+            f"{f', and {len(renamed) - 1} more in this way' if len(renamed) > 1 else ''}: they are at the same "
+            "position under different labels."
         )
     moved_labels = [first.labels[i] for i, j in pose_pairs if _positions_differ(first, second, i, j)]
     if moved_labels:

@@ -14,7 +14,11 @@ from pkmodes.core.robot.covariance import Covariance
 from pkmodes.core.robot.parameter_groups import groups_by_path
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.writing import write_file
-from pkmodes.loop.diagnosis.verdict.findings import Corrected, wider_than_declared_in_words
+from pkmodes.loop.diagnosis.verdict.findings import (
+    Corrected,
+    undetected_in_words,
+    wider_than_declared_in_words,
+)
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.loop.robot_files.saving import Correction, corrected_text, save_corrected
 from pkmodes.loop.sensitivity.paths import resolve
@@ -58,16 +62,14 @@ def _note(robot: Robot, value: Corrected, causes: Mapping[str, str]) -> str:
         note += f", for {assumed}"
     if value.unseen is not None and value.widened:
         note += (
-            f"; sigma includes what {value.unseen.agent} could have done (fit alone: "
+            f"; sigma includes the possible effect of {value.unseen.agent} (fit alone: "
             f"{plain(value.sigma, 2)}{unit})"
         )
     if clause := wider_than_declared_in_words(value):
         note += f"; {clause}"
     if value.unseen is not None and value.unseen.unbounded:
-        note += (
-            f"; sigma leaves out what an unseen {value.unseen.unbounded} could have done, which these data do "
-            "not bound"
-        )
+        agent = undetected_in_words(value.unseen.unbounded)
+        note += f"; sigma leaves out the possible effect of {agent}, which these data do not bound"
     return note
 
 

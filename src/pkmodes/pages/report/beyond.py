@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pkmodes.loop.diagnosis.states.result import Change
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.loop.diagnosis.verdict.rows import Error
 from pkmodes.loop.diagnosis.verdict.terms import Beyond
@@ -14,7 +13,7 @@ from pkmodes.pages.report.formatting import (
     pointer,
     three_digit_cell,
     to_sentence,
-    typeset_powers,
+    typeset_sentences,
     uncertain_cell,
     unit_text,
 )
@@ -29,7 +28,7 @@ def beyond_blocks(result: Diagnosis, context: ReportContext) -> list[Paragraph |
     if terms is None:
         return []
     blocks: list[Paragraph | Table] = [
-        Paragraph(typeset_powers(to_sentence(terms.reason)), plain_text=to_sentence(terms.reason))
+        Paragraph(typeset_sentences(to_sentence(terms.reason)), plain_text=to_sentence(terms.reason))
     ]
     if terms.classes:
         blocks += [_class_table(terms, context), _error_table(result, terms)]
@@ -60,7 +59,7 @@ def _class_table(terms: Beyond, context: ReportContext) -> Table:
                             scale=scale,
                         ),
                         Cell(unit_text(shown_unit)),
-                        Cell(typeset_powers(f"no: {member.implausible}") if member.implausible else "yes"),
+                        Cell(typeset_sentences(f"no: {member.implausible}") if member.implausible else "yes"),
                         p_value_cell(term_class.finding.p_value, class_pointer + pointer("p_value")),
                         three_digit_cell(term_class.probability, class_pointer + pointer("probability")),
                     ]
@@ -77,14 +76,8 @@ def _class_table(terms: Beyond, context: ReportContext) -> Table:
 
 
 def _error_table(result: Diagnosis, terms: Beyond) -> Table:
-    """Return the errors before, after the refit, with the best of the catalogue, and with each term."""
-    titles = {"before": "as declared", "refit": "uncertain values refitted"}
-    if isinstance(result, Change):
-        titles |= {key: title for key, (title, _) in result.errors.items()}
-    stages: list[tuple[str, Error | None, str]] = [
-        (titles["before"], result.before, pointer("error", "before")),
-        (titles["refit"], result.refit, pointer("error", "refit")),
-    ]
+    """Return the errors with the best of the catalogue, and with each term."""
+    stages: list[tuple[str, Error | None, str]] = []
     if terms.catalogue is not None:
         name, error = terms.catalogue
         stages.append((f"with the best of the catalogue, {clean(name)}", error, ""))
@@ -112,7 +105,7 @@ def _error_table(result: Diagnosis, terms: Beyond) -> Table:
     columns.append(Column("chi\u00b2 per dof"))
     if not result.held_out_poses:
         rows, columns = [[*row[:2], row[3]] for row in rows], [*columns[:2], columns[3]]
-    return Table("Errors before, and with what remains.", columns, rows)
+    return Table("Errors with each explanation that remains.", columns, rows)
 
 
 def _sub_pointer(parent: str, key: str) -> str:

@@ -50,7 +50,9 @@ def certainty(result: Diagnosis) -> list[Cell]:
     causes_clause = f"{subject} {'are the causes' if has_several_causes else 'is the cause'}"
     if excluded:
         noun = "pair" if has_several_causes else "explanation"
-        others = f"1 other {noun} that acts" if excluded == 1 else f"one of {excluded} other {noun}s that act"
+        others = (
+            f"one other {noun} that acts" if excluded == 1 else f"one of {excluded} other {noun}s that act"
+        )
         causes_clause = f"the cause{'s are' if has_several_causes else ' is'} {subject} or {others} alike"
     claim = VERDICTS[result.verdict].sure.format(likely=likelihood, what=causes_clause)
     of_all = " for all of them together" if excluded else ""

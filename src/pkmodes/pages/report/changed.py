@@ -17,7 +17,7 @@ from pkmodes.pages.report import explanations, figures, numbers
 from pkmodes.pages.report.action import recommended_action
 from pkmodes.pages.report.beyond import beyond_blocks
 from pkmodes.pages.report.blocks import Cell, Column, Facts, Paragraph, Section, Summary, Table
-from pkmodes.pages.report.certainty import doubtful_probability
+from pkmodes.pages.report.certainty import deciding_errors, doubtful_probability
 from pkmodes.pages.report.formatting import (
     clean,
     frequency_cell,
@@ -27,7 +27,7 @@ from pkmodes.pages.report.formatting import (
     pointer,
     three_digit_cell,
     to_sentence,
-    typeset_powers,
+    typeset_sentences,
 )
 from pkmodes.pages.report.mode_table import mode_table
 from pkmodes.pages.report.page import page
@@ -72,7 +72,8 @@ def change_headline(result: Change, context: ReportContext) -> str:
     explanation = _best_explanation(result, context)
     if probability := doubtful_probability(result):
         return clean(f"Doubtful ({probability}): changed since {trusted}: {explanation}")
-    return clean(f"Changed since {trusted}: {explanation}")
+    condition = f"; {clause}" if result.effects and (clause := deciding_errors(result)) else ""
+    return clean(f"Changed since {trusted}: {explanation}{condition}")
 
 
 def _best_explanation(result: Change, context: ReportContext) -> str:
@@ -91,11 +92,10 @@ def _best_explanation(result: Change, context: ReportContext) -> str:
     if len(sizes) > 1 and finding.alone is not None:
         words = member.words  # the words already state the size for the joint that changed
     alternatives = len(finding.members) - 1
-    return (
-        f"{words}, or {plural(alternatives, 'other')} that {'acts' if alternatives == 1 else 'act'} alike"
-        if alternatives
-        else words
-    )
+    if not alternatives:
+        return words
+    others = "one other change that acts" if alternatives == 1 else f"{alternatives} other changes that act"
+    return f"{words}, or {others} alike"
 
 
 def _size_in_words(value: Value, corrected_values: Sequence[Corrected], context: ReportContext) -> str:
@@ -131,14 +131,15 @@ def change_summary(result: Change, context: ReportContext) -> Summary:
     if last_error is not None and not result.by_state:
         chi2 = three_digit_cell(last_error.chi2_per_dof)
         facts.append(("final chi\u00b2 per degree of freedom of all fitted modes", chi2))
+    is_doubtful = doubtful_probability(result) or (result.effects and deciding_errors(result))
     return Summary(
         subject=context.title(row.drives for row in result.rows),
         kind="What changed",
         verdict="" if result.by_state or found_term is not None else result.verdict,
-        headline=typeset_powers(change_headline(result, context)),
-        reason=typeset_powers(to_sentence(result.reason)),
-        tone=AMBIGUOUS.colour if doubtful_probability(result) else TONE_BY_CHANGE[result.changed],
-        notes=[typeset_powers(to_sentence(note)) for note in result.notes],
+        headline=typeset_sentences(change_headline(result, context)),
+        reason=typeset_sentences(to_sentence(result.reason)),
+        tone=AMBIGUOUS.colour if is_doubtful else TONE_BY_CHANGE[result.changed],
+        notes=[typeset_sentences(to_sentence(note)) for note in result.notes],
         action=None if result.by_state else action_after_change(result, context),
         facts=[(name, cell) for name, cell in facts if cell.value is not None],
         head=context.head,
@@ -242,7 +243,7 @@ def change_page(result: Change, evidence: PlottedEvidence, context: ReportContex
             f"state-{k}",
             clean(f"{name}: {change.what}"),
             [
-                Paragraph(typeset_powers(to_sentence(change.reason))),
+                Paragraph(typeset_sentences(to_sentence(change.reason))),
                 *explanations.cause_blocks(change, context),
                 *beyond_blocks(change, context),
                 mode_changes_table(change),

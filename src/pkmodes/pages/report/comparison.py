@@ -16,7 +16,7 @@ from pkmodes.pages.report.formatting import (
     plural,
     pointer,
     three_digit_cell,
-    typeset_powers,
+    typeset_sentences,
 )
 from pkmodes.pages.report.numbers import percent_cell
 from pkmodes.pages.report.report_context import ReportContext
@@ -48,7 +48,7 @@ def comparison_summary(result: Comparison, context: ReportContext) -> Summary:
         headline=headline,
         reason=reason,
         tone=tone,
-        notes=[typeset_powers(note) for note in result.notes],
+        notes=[typeset_sentences(note) for note in result.notes],
         facts=[(name, cell) for name, cell in facts if cell.value is not None],
         head=context.head,
     )

@@ -21,7 +21,7 @@ from pkmodes.pages.report.formatting import (
     shorten,
     three_digit_cell,
     to_sentence,
-    typeset_powers,
+    typeset_sentences,
     uncertain_cell,
     unit_cell,
     unit_text,
@@ -52,14 +52,15 @@ def damping_blocks(result: Diagnosis, context: ReportContext) -> list[Block]:
         ]
     blocks: list[Block] = [
         Paragraph(
-            f"Verdict on the damping: {damping_result.verdict}. {typeset_powers(to_sentence(damping_result.reason))}"
+            f"Verdict on the damping: {damping_result.verdict}. "
+            f"{typeset_sentences(to_sentence(damping_result.reason))}"
         ),
         *explanations.cause_blocks(damping_result, context, JSON_KEY),
         *refitted_loss_blocks(damping_result, context),
         *stability_blocks,
         *ratio_error_paragraphs(result),
         *(
-            [Listing([typeset_powers(to_sentence(note)) for note in damping_result.notes])]
+            [Listing([typeset_sentences(to_sentence(note)) for note in damping_result.notes])]
             if damping_result.notes
             else []
         ),

@@ -22,7 +22,7 @@ from pkmodes.pages.report.formatting import (
     rounded_cell,
     three_digit_cell,
     to_sentence,
-    typeset_powers,
+    typeset_sentences,
     uncertain_cell,
     unit_text,
 )
@@ -74,7 +74,7 @@ def cause_blocks(result: Diagnosis | Damping, context: ReportContext, *json_keys
                 value.name: explain_saved_sigma(value, result.corrected) for value in effect.parameters
             }
             blocks += [
-                Paragraph(typeset_powers(to_sentence(f"{context.meaning(name) or clean(name)}: {reason}")))
+                Paragraph(typeset_sentences(to_sentence(f"{context.meaning(name) or clean(name)}: {reason}")))
                 for name, reason in reasons.items()
                 if reason
             ]
@@ -133,7 +133,7 @@ def _member_table(
                     ),
                     *((rounded_cell(value.sigma, 2, fit_sigma_pointer, scale=scale),) if is_single else ()),
                     Cell(unit_text(shown_unit)),
-                    Cell(typeset_powers(f"no: {implausible}") if implausible else "yes"),
+                    Cell(typeset_sentences(f"no: {implausible}") if implausible else "yes"),
                 ]
             )
     columns = [Column("cause", False), Column("parameter", False)]
@@ -147,7 +147,7 @@ def _member_table(
         rows, columns = [row[:-1] for row in rows], columns[:-1]
     caption = (
         f"Size of the cause{', against the declared values' if effect.relative() else ''}; its standard deviation "
-        "includes what a candidate that these data do not show could have done to it."
+        "includes how far a candidate that these data do not show may have moved it."
         if is_single
         else "The class: each member as if it were the cause, with its values against the declared ones."
     )

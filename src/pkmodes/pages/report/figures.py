@@ -117,7 +117,7 @@ def _band_note(evidence: PlottedEvidence) -> str:
     if evidence.frequency_sigma is None or not (evidence.frequency_sigma > 0.0).any():
         return ""
     later_stages_note = (
-        " Later stages have none: the measurements determine their values better."
+        " Fitted stages have none: the measurements determine their values better."
         if len(evidence.stages) > 1
         else ""
     )

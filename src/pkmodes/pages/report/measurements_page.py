@@ -10,7 +10,7 @@ from pkmodes.loop.measured.comparison import MeasurementsCompared
 from pkmodes.pages.plots.before_after import changes_of_modes
 from pkmodes.pages.plots.labels import MINUS
 from pkmodes.pages.report.blocks import Block, Cell, Paragraph, Picture, Section
-from pkmodes.pages.report.formatting import file_name, plural, shorten, typeset_powers
+from pkmodes.pages.report.formatting import file_name, plural, shorten, typeset_sentences
 from pkmodes.pages.report.measured_shapes import shape_tables
 from pkmodes.pages.report.measurements import measurements_summary, mode_pair_tables
 from pkmodes.pages.report.page import need_report, page
@@ -50,9 +50,9 @@ def measurements_report(result: MeasurementsCompared, sources: Sequence[Source])
     summary = replace(
         plain_summary,
         subject=" and ".join(names),
-        headline=MINUS_SIGN.sub(MINUS, typeset_powers(plain_summary.headline)),
-        reason=MINUS_SIGN.sub(MINUS, typeset_powers(plain_summary.reason)),
-        notes=[typeset_powers(note) for note in plain_summary.notes],
+        headline=MINUS_SIGN.sub(MINUS, typeset_sentences(plain_summary.headline)),
+        reason=MINUS_SIGN.sub(MINUS, typeset_sentences(plain_summary.reason)),
+        notes=[typeset_sentences(note) for note in plain_summary.notes],
     )
     return page(summary, sections)
 

@@ -148,9 +148,8 @@ def fitted_value_tables(result: Diagnosis, context: ReportContext) -> list[Table
     caption = "Fitted values: as declared, and after the fit with their standard deviations."
     if has_widened:
         caption = (
-            "Fitted values: as declared, and after the fit with their standard deviations, which include what a "
-            "candidate that these data do not show could have done to the value; beside them those of the fit "
-            "alone."
+            "Fitted values: as declared, and after the fit with their standard deviations, which include how far "
+            "a candidate that these data do not show may have moved the value; beside them those of the fit alone."
         )
     return [compact_table(caption, columns, rows)]
 

@@ -20,7 +20,7 @@ from pkmodes.pages.report.formatting import (
     pointer,
     shorten,
     to_sentence,
-    typeset_powers,
+    typeset_sentences,
     unit_cell,
 )
 
@@ -60,7 +60,7 @@ def robots_summary(first: Model, second: Model, content: dict[str, Any]) -> Summ
             "-", MINUS
         ),
         reason="Differences are second minus first, relative to the first.",
-        notes=[typeset_powers(to_sentence(note)) for note in content["notes"]],
+        notes=[typeset_sentences(to_sentence(note)) for note in content["notes"]],
         facts=facts,
         head=common_head(first.robot.report, second.robot.report),
     )
@@ -109,7 +109,7 @@ def different_value_blocks(
     else:
         yield Paragraph("Every value is the same in both files.")
     choices = [
-        f"{clean(choice['path'])}: {clean(choice['first'])}, then {clean(choice['second'])}"
+        f"{clean(choice['path'])}: {clean(choice['first'])} in the first, {clean(choice['second'])} in the second"
         for choice in content["choices"]
     ]
     if choices:

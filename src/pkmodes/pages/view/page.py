@@ -291,7 +291,7 @@ def _mode_table(scene: Scene, prefix: str) -> str:
             f"{title}</th>{cells}</tr>"
         )
     caption = (
-        f"<b>What rings with {scene.doing}:</b> share of every spring in the strain energy of each mode, and the"
+        f"<b>Modes with {scene.doing}:</b> share of every spring in the strain energy of each mode, and the"
         f" direction of motion of the {scene.moving_body}{_rotation_note(scene)},"
         f' at <span data-part="place">{_place_text(scene, pose)}</span>{sigma_note(scene)}'
     )

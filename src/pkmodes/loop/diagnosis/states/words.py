@@ -55,8 +55,8 @@ PHRASES = (
 )
 #: Difference of the stiffness of all equal parts, as from one day to another, in a sentence on refitted values.
 ANOTHER_DAY = re.compile(
-    r"day\.(\w+)_stiffness (?:was refitted )?from 0 to (-?[\d.e-]+)(?: \(([+-][\d.]+) sigma\))?"
-    r"(?:,? which an unseen [\w.:]+ could have done,?)?"
+    r"day\.(\w+)_stiffness (?:was refitted )?from 0 to (-?[\d.e-]+)"
+    r"(?: \((?:([+-][\d.]+) sigma)?(?:; )?(?:an undetected [^()]+ would have the same effect)?\))?"
 )
 #: Sentences of candidates that are declared values.
 WRONG_VALUE = re.compile(r"the declared ([^;,()]+?) is wrong")

@@ -40,7 +40,7 @@ class Limit:
 
 @dataclass(frozen=True)
 class Unseen:
-    """What a candidate that is not claimed, or another value of a default, could have done to a fitted value.
+    """How far a candidate that is not claimed, or another value of a default, may have moved a fitted value.
 
     - sigma: the effect as a standard deviation of the value, at the candidate's limit; for a value with a prior also
       without a limit
@@ -58,10 +58,10 @@ class Unseen:
 
     @property
     def agent(self) -> str:
-        """What could have changed the value, for a clause ending in "could have done"."""
-        if not self.default:
-            return f"an unseen {self.candidate}"
-        return self.default.replace(" of ", " other than ", 1) + ", which is not declared,"
+        """What may have moved the value, such as "an undetected error in pulley.radius"."""
+        if self.default:
+            return self.default.replace(" of ", " other than ", 1)
+        return undetected_in_words(self.candidate)
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ class Member:
 
     - sentence, kind, part: as of its candidate
     - implausible: why its value is not one that such a part can have; empty if it is
-    - assumed: the defaults on which its value depends, marked as not declared; empty if there are none
+    - assumed: the defaults on which its value depends, marked as assumed; empty if there are none
     """
 
     name: str
@@ -120,7 +120,7 @@ class Corrected(Value):
 
     - prior_sigma: standard deviation of its declared value; None if it has none
     - at_bound: whether the value is at a physical bound other than the declared value
-    - unseen: what a candidate that these data do not show could have done to the value; None where none could
+    - unseen: how far a candidate that these data do not show may have moved the value; None where none can have
     - plausible: largest plausible deviation from the declared value
     """
 
@@ -132,7 +132,7 @@ class Corrected(Value):
 
     @property
     def saved_sigma(self) -> float:
-        """Standard deviation including what an unseen candidate could have done.
+        """Standard deviation including the possible effect of an undetected candidate.
 
         The declared value still counts: it is at most the root mean square distance from the value under its prior.
         Without a prior it is at most the largest plausible deviation.
@@ -190,8 +190,8 @@ def explain_saved_sigma(value: Value, corrected: Sequence[Corrected]) -> str:
     if saved.widened:
         fit_sigma = round_to_sigma(value.value, value.sigma).columns[1]
         parts.append(
-            f"the standard deviation is {fit_sigma} by the fit alone, and larger by what {unseen.agent} could "
-            "have done to the value"
+            f"the standard deviation is {fit_sigma} by the fit alone, and larger because {unseen.agent} may have "
+            "moved the value"
         )
         parts += [clause] if (clause := wider_than_declared_in_words(saved)) else []
     if unseen.unbounded:
@@ -201,7 +201,14 @@ def explain_saved_sigma(value: Value, corrected: Sequence[Corrected]) -> str:
 
 def omission_in_words(unseen: Unseen) -> str:
     """Return what a standard deviation omits: the effect of a candidate without a limit."""
-    return f"it does not include what an unseen {unseen.unbounded} could have done, which these data do not bound"
+    agent = undetected_in_words(unseen.unbounded)
+    return f"it does not include the possible effect of {agent}, which these data do not bound"
+
+
+def undetected_in_words(candidate: str) -> str:
+    """Return a candidate that these data do not show, with its article."""
+    path = candidate.removeprefix("parameter:")
+    return f"an undetected {candidate}" if path == candidate else f"an undetected error in {path}"
 
 
 @dataclass(frozen=True)

@@ -159,5 +159,6 @@ def _why_none(
     other_ways += ", with or without a load" if any(condition.load for condition in conditions) else ""
     return (
         f"none of {setups_in_words} separates the remaining explanations by {min_sigmas:g} standard deviations or "
-        f"more{other_ways}: {' and '.join(best.measurement.separates)} differ by {plain(best.sigmas, 2)} at most"
+        f"more{other_ways}: {' and '.join(best.measurement.separates)} differ by at most {plain(best.sigmas, 2)} "
+        "standard deviations"
     )

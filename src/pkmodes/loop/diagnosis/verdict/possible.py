@@ -34,7 +34,7 @@ def describe_member(
     violated_range = violated_plausible_range(fitter, fit, max_deviations)
     violated_range = violated_range or violated_usual_range(fitter, fit)
     assumed = " and ".join(assumption.words for assumption in cause.assumes)
-    default_in_words = f"{assumed}, not declared" if assumed else ""
+    default_in_words = f"{assumed}, which is assumed" if assumed else ""
     if single_joint is not None:
         return Member(cause.name, single_joint.sentence, implausible=violated_range, assumed=default_in_words)
     return Member(cause.name, cause.sentence, cause.kind, cause.part, violated_range, default_in_words)

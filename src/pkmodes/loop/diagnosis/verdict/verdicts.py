@@ -50,7 +50,7 @@ EFFECT_FOUND = Verdict(
     "Cause{s} {causes}",
     True,
     "found",
-    "these data tell what is claimed from every other candidate",
+    "these data distinguish what is claimed from every other candidate",
     sure="{likely} {what}",
     settled=True,
 )
@@ -93,7 +93,7 @@ FOUND = Verdict(
     "Not in the catalogue: {causes}",
     True,
     "found",
-    "these data tell what is claimed from everything else that was tried",
+    "these data distinguish what is claimed from everything else that was tried",
     sure="{likely} {what}",
     settled=True,
 )
