@@ -12,6 +12,7 @@ from scipy.integrate import solve_ivp
 
 import pkmodes
 from helpers.commands.printed_tables import printed_table
+from helpers.pages.page_reading import read
 from pkmodes.cli import run
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.machine.shaping import Shaper, residual
@@ -314,6 +315,17 @@ def test_the_command_writes_and_prints_the_schedule(
             ),
             f"{1e6 * one['rounding_s2']:.1f}",
         ]
+
+
+def test_the_page_opens_with_the_lines_of_the_schedule(tmp_path: Path) -> None:
+    """Those of one shaper for all payloads are folded, so that the page stays short."""
+    page = tmp_path / "page.html"
+    assert run(options("--set", RANGE, "--height", "0:0.2m", "--report", str(page))) == 0
+    found = read(page.read_text(encoding="utf-8"))
+    folded = {name: found.by_id(name).attributes.get("class") for name in ("firmware", "schedule-lines")}
+    assert folded == {"firmware": "folded", "schedule-lines": None}
+    assert "SET_INPUT_SHAPER" in found.by_id("schedule-lines").text
+    assert "shaper_freq_x" in found.by_id("firmware").text
 
 
 @pytest.mark.parametrize(

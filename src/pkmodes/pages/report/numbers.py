@@ -179,7 +179,7 @@ def pull_pictures(result: Diagnosis, context: ReportContext) -> list[Picture]:
             f"How far the fit moved each uncertain value{selection_note}, in standard deviations of its prior; the "
             "bars are the standard deviations of the table. Beyond 3 the declared value or its sigma is wrong, or "
             "the value makes up for a cause; a bar as wide as the shaded prior means that the data say nothing "
-            "about it.",
+            "about it, a wider one that what these data do not show may be all that moved it.",
         )
     ]
 

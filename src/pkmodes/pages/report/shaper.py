@@ -86,10 +86,21 @@ def shaper_report(
             [frequency_error_picture(part, axis) for axis, part in parts],
             folded=True,
         ),
-        Section("firmware", "Lines for firmware", [*firmware_lines(content), *schedule_lines(content)]),
+        *_line_sections(content),
         replace(origin_section(sources, model.mechanism), folded=True),
     ]
     return page(shaper_summary(model, choice, content), sections)
+
+
+def _line_sections(content: dict[str, Any]) -> list[Section]:
+    """Return the lines for firmware; those without a schedule are folded where there is one."""
+    without_schedule, scheduled = firmware_lines(content), schedule_lines(content)
+    if not scheduled:
+        return [Section("firmware", "Lines for firmware", without_schedule)]
+    return [
+        Section("firmware", "Lines for firmware, without the schedule", without_schedule, folded=True),
+        Section("schedule-lines", "Lines for the schedule", scheduled),
+    ]
 
 
 def shaper_summary(model: Model, choice: Choice, content: dict[str, Any]) -> Summary:
