@@ -95,7 +95,7 @@ def test_the_same_robot_twice(tmp_path: Path) -> None:
     out = printed("compare", PRINTER, PRINTER, *GRID, "--report", page)
     assert "  declared values that differ: 0 of 19\n" in out
     assert "note: The two files declare the same robot" in out
-    text = page.read_text(encoding="utf-8")
+    text = page.read_text(encoding="utf-8").replace("\u00a0", " ")
     assert "no frequency changes by more than 0.005 %" in text
     assert "No frequency changes" in text
 
