@@ -70,6 +70,7 @@ def sentences(page: Element) -> list[str]:
 def pointers(sentence: str, content: Any) -> dict[str, list[str]]:
     """Return the places in the JSON of each number of a sentence; no place for one that has none."""
     values = list(leaves(content))
+    sentence = sentence.replace("\u00b0", " deg").replace("chi\u00b2", "chi2")  # as in the JSON
     for text in (v for _, v in values if isinstance(v, str) and len(v) >= 60):
         sentence = re.sub(re.escape(text.rstrip(".")), " ", sentence, flags=re.IGNORECASE)
     # Labels and names of the JSON are no numbers: P4, k_2, model.csv.

@@ -7,6 +7,7 @@ import re
 from collections.abc import Sequence
 from datetime import UTC, datetime
 from functools import cache
+from html import escape
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
@@ -18,7 +19,6 @@ from pkmodes.pages.report.blocks import Section, Summary
 
 if TYPE_CHECKING:
     from jinja2 import Environment
-    from markupsafe import Markup
 
 TEMPLATES, PAGE, STYLE, BROWSER = "templates", "page.html.j2", "style.css", "browser"
 #: Variable of the environment with the time of reproducible files (reproducible-builds.org).
@@ -107,8 +107,6 @@ def _with_unbreakable_spaces(value: Any) -> Any:
     return UNBREAKABLE_SPACE.sub(NO_BREAK_SPACE, value) if type(value) is str else value
 
 
-def _breakable(name: str) -> Markup:
+def _breakable(name: str) -> str:
     """Return a dotted path that may be broken after a dot or an underscore, as HTML."""
-    from markupsafe import Markup, escape
-
-    return Markup(re.sub(r"([._])", r"\1<wbr>", str(escape(name))))
+    return re.sub(r"([._])", r"\1<wbr>", escape(name))
