@@ -12,6 +12,7 @@ import pytest
 import pkmodes
 from helpers.commands.answers import printed, refused
 from helpers.commands.printed_tables import printed_table
+from helpers.pages.page_reading import source_of
 from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.cli import run
 from pkmodes.pages.plots.changes import colour_scale_limit
@@ -95,7 +96,7 @@ def test_the_same_robot_twice(tmp_path: Path) -> None:
     out = printed("compare", PRINTER, PRINTER, *GRID, "--report", page)
     assert "  declared values that differ: 0 of 19\n" in out
     assert "note: The two files declare the same robot" in out
-    text = page.read_text(encoding="utf-8").replace("\u00a0", " ")
+    text = source_of(page)
     assert "no frequency changes by more than 0.005 %" in text
     assert "No frequency changes" in text
 

@@ -246,7 +246,7 @@ def _saved_robot_lines(file: Path, mechanism: Path | None, robot: Robot, result:
     ]
     if widened_texts:
         sentences.append(
-            "the sigmas in it include the possible effect on the values of a candidate that these data do not show: "
+            "the sigmas in it allow for candidates that these data do not show: "
             + listed(widened_texts, MAX_WIDENED_NAMED, before_surplus=", and ")
         )
     # Constants of the causes that are known only from the load cases, such as a belt tension.

@@ -116,8 +116,8 @@ def _show_class(terminal: Terminal, effect: Finding, corrected: Sequence[Correct
             continue
         if saved_value.widened:
             remarks.append(
-                f"{_short_name(value)} is saved with +- {plain(saved_value.saved_sigma, 2)}, because "
-                f"{saved_value.unseen.agent} may have moved it"
+                f"{_short_name(value)} is saved with +- {plain(saved_value.saved_sigma, 2)}, which "
+                f"allows for {saved_value.unseen.agent}"
             )
         if saved_value.unseen.unbounded:
             remarks.append(omission_in_words(saved_value.unseen))

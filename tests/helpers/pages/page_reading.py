@@ -5,8 +5,11 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 from html.parser import HTMLParser
+from pathlib import Path
 from typing import Any
 
+#: At which no line ends; in a text it is a space.
+NO_BREAK_SPACE = "\u00a0"
 #: Elements without an end.
 VOID = {"meta", "link", "br", "img", "input", "hr", "wbr"}
 
@@ -66,7 +69,12 @@ class _Reader(HTMLParser):
         self._open.pop()
 
     def handle_data(self, data: str) -> None:
-        self._open[-1].children.append(data.replace("\u00a0", " "))  # where a line may end is no text
+        self._open[-1].children.append(data.replace(NO_BREAK_SPACE, " "))
+
+
+def source_of(page: Path) -> str:
+    """Return a page as it is written, with plain spaces."""
+    return page.read_text(encoding="utf-8").replace(NO_BREAK_SPACE, " ")
 
 
 def read(html: str) -> Element:

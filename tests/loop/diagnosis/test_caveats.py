@@ -43,7 +43,7 @@ def test_what_was_refitted_is_said_with_its_size_in_standard_deviations_of_the_p
         (
             refitted(11.6, unseen=1.0),
             "servo.stiffness was refitted from 10 to 11.6 +- 1.0 N*m/rad "
-            "(an undetected clamps would have the same effect)",
+            "(+1.6 sigma; an undetected clamps would have the same effect)",
         ),
         (refitted(11.7, unseen=1.0), ""),
         (refitted(10.2, unseen=1.0), ""),  # within what the fit leaves open
@@ -133,8 +133,8 @@ def test_the_sigma_that_may_be_relied_on_comes_first_and_the_reason_why_with_it(
     (value,) = found.effects[0].parameters
     assert with_saved_sigma(value, found.corrected).sigma == pytest.approx(np.hypot(0.01, 0.04))
     why = (
-        "the standard deviation is 0.010 by the fit alone, and larger because an undetected belt_mass may have "
-        "moved the value"
+        "the standard deviation is 0.010 by the fit alone, and larger because it allows for an undetected "
+        "belt_mass"
     )
     assert explain_saved_sigma(value, found.corrected) == why
     assert "payload.mass = 0.300 +- 0.041 kg" in str(found)

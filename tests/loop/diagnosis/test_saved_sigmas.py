@@ -63,7 +63,7 @@ def test_a_saved_interval_contains_the_truth_whatever_was_not_seen(
     (line,) = (
         line for line in saved.read_text(encoding="utf-8").splitlines() if line.startswith("stiffness")
     )
-    assert "sigma includes the possible effect of an undetected " in line
+    assert "sigma allows for an undetected " in line
     assert f" (fit alone: {motors.sigma:.2g} N*m/rad)" in line
 
 
@@ -99,8 +99,5 @@ def test_the_command_says_what_is_not_excluded_and_what_widened_the_file(tmp_pat
     text = " ".join(out.split())
     assert "not excluded at 95 %: " in text
     assert "all limits: --json or --report" in text
-    assert (
-        "the sigmas in it include the possible effect on the values of a candidate that these data do not show"
-        in text
-    )
+    assert "the sigmas in it allow for candidates that these data do not show: " in text
     assert "servo_stiffness.stiffness" in text.partition("the sigmas in it")[2]

@@ -401,11 +401,18 @@ def test_a_diagnosis_in_the_words_of_a_change() -> None:
     said = "the residual of the declared model is not noise (p < 1e-6); explanation: the declared mass is wrong (m)"
     differs = "after differs from before by more than the errors of both (p < 1e-6)"
     assert reword(said, "before", "after") == f"{differs}; explanation: the mass changed (m)"
-    day = "day.belt_stiffness from 0 to -0.012 (-0.8 sigma)"
-    noise = f"the residual is noise once the uncertain values are refitted: {day}"
-    assert reword(noise, "May", "June") == (
-        "June differs from May only by what two days may differ by: all belts are 1.2 % softer"
-    )
+    two_days = "June differs from May only by what two days may differ by"
+    for day, change in (
+        ("from 0 to -0.012 (-0.8 sigma)", "1.2 % softer"),
+        ("from 0 to -0.0120 +- 0.0031 (-0.8 sigma)", "1.20 +- 0.31 % softer"),
+        ("from 0 to 0.012 (+0.8 sigma; an undetected payload would have the same effect)", "1.2 % stiffer"),
+        (
+            "from 0 to 0.012 (+0.8 sigma; a frame.mass other than 50 kg would have the same effect)",
+            "1.2 % stiffer",
+        ),
+    ):
+        noise = f"the residual is noise once the uncertain values are refitted: day.belt_stiffness {day}"
+        assert reword(noise, "May", "June") == f"{two_days}: all belts are {change}"
 
 
 # Bad input ---------------------------------------------------------------------------------------------------------

@@ -60,11 +60,11 @@ def test_a_candidate_without_a_limit_is_named_and_not_counted(robot: Path) -> No
         assert value.unseen is not None
         assert value.unseen.unbounded
         agent = value.unseen.unbounded.replace("parameter:", "error in ")
-        expected = f"possible effect of an undetected {agent}, which these data do not bound"
+        expected = f"it does not allow for an undetected {agent}, which these data do not bound"
         assert expected in explain_saved_sigma(value, found.corrected)
     saved = robot.parent / "saved.toml"
     updating.save_robot(declared, found, saved)
-    assert "sigma leaves out the possible effect of an undetected " in saved.read_text(encoding="utf-8")
+    assert "sigma does not allow for an undetected " in saved.read_text(encoding="utf-8")
     assert (
         updating.diagnose(read_robot(saved), updating.read(robot.parent / "modes.csv")).verdict == "adequate"
     )
@@ -79,7 +79,7 @@ def test_the_command_shows_the_value_that_was_found(robot: Path) -> None:
     value, sigma = map(float, line.split()[2::2][:2])
     assert value == pytest.approx(-0.08, abs=0.02)
     assert 0.05 < sigma < 0.3
-    assert "it does not include the possible effect of an undetected " in " ".join(out.split())
+    assert "it does not allow for an undetected " in " ".join(out.split())
 
 
 def test_a_standard_deviation_is_at_most_what_is_plausible() -> None:

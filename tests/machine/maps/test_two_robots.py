@@ -185,16 +185,17 @@ def test_what_leads_is_the_largest_difference_of_a_mode_that_keeps_its_partner()
     said = incomparable_modes_sentence([kept, small, exchanged, unlike])
     assert said == (
         "modes 3 and 4 cannot be followed: at 11 % of the poses mode 3 has another partner, or none (at most 10 % is "
-        "allowed); mode 4 is not of one shape in both: the median MAC is 0.79 (at least 0.8 is needed)"
+        "allowed); mode 4 differs in shape: the median MAC is 0.79 (at least 0.8 is needed)"
     )
     assert (
         largest_difference_sentence([exchanged])
         == "No mode can be followed from the first robot to the second"
     )
     assert "shape" not in incomparable_modes_sentence([exchanged])
+    assert incomparable_modes_sentence([unlike]).startswith("mode 4 cannot be followed: it differs in shape")
     others = [change(5, 0.1, 0.5, 0.9), change(6, 0.1, 0.2, 0.7)]
     assert incomparable_modes_sentence(others).startswith(
-        "modes 5 and 6 cannot be followed: at 20 to 50 % of the poses modes 5 and 6 have another partner"
+        "modes 5 and 6 cannot be followed: at 20 to 50 % of the poses they have another partner"
     )
     assert largest_difference_sentence([change(1, 4.9e-5, 0.0, 1.0)]) == "No frequency changes"
     nothing = ModeChange(5, 0, None, None, None, None, None, None)

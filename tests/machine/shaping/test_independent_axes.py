@@ -156,13 +156,8 @@ def test_the_page_says_the_shaper_of_each_axis(tmp_path: Path, capsys: pytest.Ca
     text = page.read_text(encoding="utf-8")
     assert "Left over the workspace along x" in text
     assert "Against frequency error along y" in text
+    # So that it opens on six screens.
     folded = {section.attributes["id"] for section in read(text).all("section") if section.all("details")}
-    assert folded == {
-        "together",
-        "machine",
-        "errors",
-        "firmware",
-        "origin",
-    }  # so that it opens on six screens
+    assert folded == {"together", "machine", "errors", "firmware", "origin"}
     largest = said.partition("largest without a shaper at: ")[2]
     assert re.match(r"x = \d+ mm, y = \d+ mm", largest)  # as the poses below it

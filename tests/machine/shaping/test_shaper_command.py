@@ -11,6 +11,7 @@ import pytest
 import pkmodes
 from helpers.commands.printed_tables import printed_table
 from helpers.pages.browser import opened
+from helpers.pages.page_reading import source_of
 from pkmodes.cli import run
 
 ROOT = Path(__file__).parents[3]
@@ -219,7 +220,7 @@ def test_firmware_without_the_recommended_shaper_is_told_which_it_has(
 def test_the_page_shows_what_varies(robot: str, tmp_path: Path, grid: str, said: str) -> None:
     page = tmp_path / "s.html"
     assert run(["shaper", robot, "--grid", grid, "--shapers", "mzv,zv*zv*zv", "--report", str(page)]) == 0
-    text = page.read_text(encoding="utf-8").replace("\u00a0", " ")
+    text = source_of(page)
     assert said in text
     assert ("y [mm]" in text and "z [mm]" in text) == ("y=-0.05" in grid)
     assert ">\u2212240 to \u2212200 mm<" in text or "z=-0.24" not in grid

@@ -19,7 +19,7 @@ from pkmodes.loop.diagnosis import Diagnosis
 from pkmodes.loop.diagnosis.posterior.document import ClassProbability, PairProbability, Probabilities
 from pkmodes.loop.diagnosis.verdict.findings import Finding
 from pkmodes.pages.plots.evidence import PlottedEvidence
-from pkmodes.pages.report.action import _match_modes, recommended_action
+from pkmodes.pages.report.action import ADVICE_BY_CAUSE, _match_modes, recommended_action
 from pkmodes.pages.report.certainty import PROBABILITY_PHRASES
 from pkmodes.pages.report.formatting import to_sentence
 from pkmodes.pages.report.mode_table import mode_table
@@ -208,3 +208,16 @@ def test_the_documentation_says_how_often_each_word_is_right() -> None:
     assert said in (ROOT / "docs" / "explanation/diagnosis.md").read_text(encoding="utf-8").replace(
         "\n  ", " "
     )
+
+
+def test_every_effect_has_advice() -> None:
+    """Effects that only dissipate are causes of the damping, which has no action."""
+    mechanisms = [read_robot(path).mechanism for path in sorted((ROOT / "robots").glob("*.toml"))]
+    names = {
+        name
+        for mechanism in mechanisms
+        for name, effect in mechanism.effects.items()
+        if not effect.dissipates
+    }
+    assert len(names) > 10
+    assert names == ADVICE_BY_CAUSE.keys()

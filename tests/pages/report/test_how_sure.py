@@ -9,11 +9,12 @@ import numpy as np
 import pytest
 
 from helpers.pages.documentation import ROOT
-from helpers.pages.page_reading import read
+from helpers.pages.page_reading import NO_BREAK_SPACE, read
 from helpers.pages.report_examples import made_up
 from pkmodes import read_robot
 from pkmodes.loop.diagnosis import Diagnosis
 from pkmodes.loop.diagnosis.posterior.document import ClassProbability, Probabilities
+from pkmodes.loop.diagnosis.states.result import Change
 from pkmodes.loop.diagnosis.verdict.findings import (
     Corrected,
     Finding,
@@ -26,6 +27,7 @@ from pkmodes.loop.diagnosis.verdict.findings import (
 from pkmodes.pages.plots.places import MARK_COLOURS
 from pkmodes.pages.report import report
 from pkmodes.pages.report.action import recommended_action
+from pkmodes.pages.report.changed import change_headline, change_summary
 from pkmodes.pages.report.contrast import contrast_of_parts
 from pkmodes.pages.report.diagnosis import verdict_headline
 from pkmodes.pages.report.places import marked_elements
@@ -67,7 +69,7 @@ def test_the_title_carries_the_doubt(p: float, headline: str, colour: str) -> No
     result = claimed(p)
     assert verdict_headline(result).startswith(headline)
     page = report(result)
-    assert f">{headline}" in page.replace("\u00a0", " ")
+    assert f">{headline}" in page.replace(NO_BREAK_SPACE, " ")
     assert tone(page) == colour
 
 
@@ -88,6 +90,24 @@ def test_the_title_says_that_other_errors_give_another_verdict() -> None:
     expected = claimed(0.99, stability=(Stability("sigma x 0.5", "unexplained", ()),))
     assert "the verdict changes" not in verdict_headline(expected)
     assert tone(report(expected)) == "found"
+
+
+CONDITION = "; with sigma halved or sigma doubled, the verdict changes"
+
+
+@pytest.mark.parametrize(
+    ("other_verdict", "condition", "colour"), [("ambiguous", CONDITION, "open"), ("", "", "found")]
+)
+def test_the_title_of_a_change_says_so_too(other_verdict: str, condition: str, colour: str) -> None:
+    names = claimed(0.99).effects[0].members
+    changes = ("sigma x 0.5", "sigma x 2") if other_verdict else ()
+    entries = tuple(Stability(change, other_verdict, names) for change in changes)
+    content = vars(claimed(0.99, stability=entries))
+    counterparts = (None,) * len(content["rows"])
+    change = Change(**content, states=("before", "after"), changed=True, counterparts=counterparts)
+    context = ReportContext("", None, None, (), None)
+    assert change_headline(change, context) == f"Changed since before: payload, 0.300 +- 0.010 kg{condition}"
+    assert change_summary(change, context).tone == colour
 
 
 def belts(first: float, second: float, error: float = 0.005) -> Finding:
@@ -214,8 +234,8 @@ def test_a_size_is_no_better_known_than_the_errors_are() -> None:
 def test_what_makes_a_size_far_less_sure_is_the_next_measurement(unseen: Unseen, what: str) -> None:
     """0.01 by the fit and 0.06 unseen: 6.1 times as large together."""
     assert said(sized(1.0, unseen=unseen))["measure next"] == (
-        f"To know the size better, {what}: an effect of it on the size would not show in these data, so that the "
-        "standard deviation of payload.mass is 6.1 times as large as that of the fit."
+        f"To know the size better, {what}: these data do not show it, which makes the standard deviation "
+        "of payload.mass 6.1 times as large as that of the fit."
     )
     little = replace(unseen, sigma=0.01)
     assert said(sized(1.0, unseen=little))["measure next"].startswith("No next measurement is proposed: ")

@@ -12,6 +12,7 @@ import pytest
 
 import pkmodes
 from helpers.pages.browser import Opened, opened
+from helpers.pages.page_reading import NO_BREAK_SPACE
 from pkmodes.cli import run
 from pkmodes.machine.maps.poses import Poses
 from pkmodes.pages.plots.plane import Plane
@@ -332,5 +333,5 @@ def test_the_cursor_and_the_view_begin_at_one_pose(
             "return [s.pose, s.exact]; })()"
         )
         assert state == [pytest.approx(cursor, abs=2e-6), True]
-        text = browser.page.locator("main").inner_text().replace("\u00a0", " ")
+        text = browser.page.locator("main").inner_text().replace(NO_BREAK_SPACE, " ")
         assert f"The machine in its modes{robot_shown}. It moves" in text

@@ -13,7 +13,7 @@ import pytest
 
 import pkmodes
 from helpers.pages.browser import opened
-from helpers.pages.page_reading import Element, read
+from helpers.pages.page_reading import Element, read, source_of
 from pkmodes.cli import run
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.robot.reading import robot_from_document
@@ -150,7 +150,7 @@ def test_a_frequency_beyond_all_others_is_said_to_be_left_out(monkeypatch: pytes
 
 def test_its_head_says_what_was_mapped(page: Path) -> None:
     content = json.loads((page.parent / "map.json").read_text())
-    text = page.read_text(encoding="utf-8").replace("\u00a0", " ")
+    text = source_of(page)
     assert (
         "Mapped with motors free: x 300 to 900 mm (13 values), y \u2212100 to 100 mm (9 values), z \u2212245 mm."
         in text

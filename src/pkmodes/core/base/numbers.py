@@ -12,6 +12,7 @@ The text is ASCII, ``(1.92 +- 0.13)e-4``; `pkmodes.pages.plots.labels.typeset` s
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from dataclasses import dataclass
 from decimal import Decimal
 
@@ -101,6 +102,14 @@ def round_to_sigma(value: float, sigma: float, fit: float | None = None) -> Roun
     )
     digits, sigma_digits = (without_zero_sign(text) for text in texts)
     return Rounded(digits, sigma_digits, power)
+
+
+def range_text(values: Collection[float], form: str) -> str:
+    """Return from where to where values go, such as "3 to 5"; a single number if both ends read alike.
+
+    - form: format of each end
+    """
+    return " to ".join(dict.fromkeys(format(end + 0.0, form) for end in (min(values), max(values))))
 
 
 def plain(value: float, digits: int = 6) -> str:

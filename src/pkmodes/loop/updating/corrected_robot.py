@@ -61,15 +61,12 @@ def _note(robot: Robot, value: Corrected, causes: Mapping[str, str]) -> str:
     if assumed := causes.get(value.name):
         note += f", for {assumed}"
     if value.unseen is not None and value.widened:
-        note += (
-            f"; sigma includes the possible effect of {value.unseen.agent} (fit alone: "
-            f"{plain(value.sigma, 2)}{unit})"
-        )
+        note += f"; sigma allows for {value.unseen.agent} (fit alone: {plain(value.sigma, 2)}{unit})"
     if clause := wider_than_declared_in_words(value):
         note += f"; {clause}"
     if value.unseen is not None and value.unseen.unbounded:
         agent = undetected_in_words(value.unseen.unbounded)
-        note += f"; sigma leaves out the possible effect of {agent}, which these data do not bound"
+        note += f"; sigma does not allow for {agent}, which these data do not bound"
     return note
 
 

@@ -13,6 +13,7 @@ from scipy.optimize import linear_sum_assignment
 
 from pkmodes.core.base.drives import FREE, Drives
 from pkmodes.core.base.errors import PoseError
+from pkmodes.core.base.numbers import range_text
 from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.documents import Count, Document, Number, Probability
@@ -200,39 +201,38 @@ def largest_difference_sentence(modes: Sequence[ModeChange]) -> str:
 
 def incomparable_modes_sentence(modes: Sequence[ModeChange]) -> str:
     """Return a sentence, without a stop, on the modes that have partners but cannot be followed; empty if none."""
-    paired = [mode for mode in modes if mode.poses and not mode.comparable]
-    if not paired:
+    lost = [mode for mode in modes if mode.poses and not mode.comparable]
+    if not lost:
         return ""
-    exchanging = [mode for mode in paired if (mode.exchanged or 0.0) > MAX_EXCHANGED]
-    unlike = [mode for mode in paired if mode not in exchanging]
+    exchanging = [mode for mode in lost if (mode.exchanged or 0.0) > MAX_EXCHANGED]
+    unlike = [mode for mode in lost if mode not in exchanging]
     reasons = []
     if exchanging:
-        shares_text = _range_text([100.0 * (mode.exchanged or 0.0) for mode in exchanging], "{:.0f}", " %")
-        verb = "has" if len(exchanging) == 1 else "have"
+        shares = range_text([100.0 * (mode.exchanged or 0.0) for mode in exchanging], ".0f")
+        subject = _subject(exchanging, lost)
         reasons.append(
-            f"at {shares_text} of the poses {_modes_in_words(exchanging)} {verb} another partner, or none (at most "
-            f"{100.0 * MAX_EXCHANGED:g} % is allowed)"
+            f"at {shares} % of the poses {subject} {'has' if len(exchanging) == 1 else 'have'} another partner, or "
+            f"none (at most {100.0 * MAX_EXCHANGED:g} % is allowed)"
         )
     if unlike:
-        mac_text = _range_text([mode.mac or 0.0 for mode in unlike], "{:.2f}", "")
-        verb = "is" if len(unlike) == 1 else "are"
+        mac = range_text([mode.mac or 0.0 for mode in unlike], ".2f")
         reasons.append(
-            f"{_modes_in_words(unlike)} {verb} not of one shape in both: the median MAC is {mac_text} (at least "
-            f"{MIN_MAC:g} is needed)"
+            f"{_subject(unlike, lost)} {'differs' if len(unlike) == 1 else 'differ'} in shape: the median MAC is "
+            f"{mac} (at least {MIN_MAC:g} is needed)"
         )
-    return f"{_modes_in_words(paired)} cannot be followed: {'; '.join(reasons)}"
+    return f"{_modes_in_words(lost)} cannot be followed: {'; '.join(reasons)}"
+
+
+def _subject(some: Sequence[ModeChange], lost: Sequence[ModeChange]) -> str:
+    """Return those modes for which a reason holds: a pronoun if it holds for all."""
+    if len(some) < len(lost):
+        return _modes_in_words(some)
+    return "it" if len(lost) == 1 else "they"
 
 
 def _modes_in_words(modes: Sequence[ModeChange]) -> str:
     """Return some modes by their numbers."""
-    noun = "mode" if len(modes) == 1 else "modes"
-    return f"{noun} {joined([str(mode.mode) for mode in modes])}"
-
-
-def _range_text(values: Sequence[float], spec: str, unit: str) -> str:
-    """Return from where to where some values go."""
-    first, last = (spec.format(value) for value in (min(values), max(values)))
-    return f"{first}{unit}" if first == last else f"{first} to {last}{unit}"
+    return f"{'mode' if len(modes) == 1 else 'modes'} {joined([str(mode.mode) for mode in modes])}"
 
 
 def compare_frequencies(

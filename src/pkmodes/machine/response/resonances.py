@@ -43,14 +43,20 @@ class Resonance:
     frequency_sigma: float | None = None
 
 
-def _modes_in_range(response: FrequencyResponse, index: Index = ()) -> tuple[Array, Array, NDArray[np.intp]]:
-    """Return frequency [Hz], damping ratio and number of each vibration mode in the frequency range of a response."""
+def _modes_in_range(
+    response: FrequencyResponse, index: Index = ()
+) -> tuple[Array, Array, NDArray[np.intp], int]:
+    """Return frequency [Hz], damping ratio and number of each vibration mode in the frequency range of a response.
+
+    The last one is the number of rigid modes below them.
+    """
     where = response.one(index)
     modes = response.request.model.modes(response.poses[where], drives=response.drives)
     f = modes.frequencies[modes.rigid_modes :]
     inside = (f >= response.frequencies.min()) & (f <= response.frequencies.max()) & (f > 0.0)
     numbers = np.flatnonzero(inside)
-    return f[inside], modes.damping_ratios[modes.rigid_modes :][inside], numbers + 1
+    ratios = modes.damping_ratios[modes.rigid_modes :][inside]
+    return f[inside], ratios, numbers + 1, modes.rigid_modes
 
 
 def strongest_resonance(
@@ -62,7 +68,7 @@ def strongest_resonance(
     - channels: ``OUTPUT/INPUT`` of the response
     - index: index of the pose
     """
-    f, ratios, numbers = _modes_in_range(response, index)
+    f, ratios, numbers, rigid_modes = _modes_in_range(response, index)
     if not len(f):
         return None
     damped = ratios > 0.0
@@ -90,17 +96,9 @@ def strongest_resonance(
                 strongest = Resonance(name, int(numbers[k]), float(f[k]), float(magnitude[k]))
     if strongest is None:
         return None
-    return replace(strongest, frequency_sigma=_frequency_sigma(response, point, strongest.mode))
-
-
-def _frequency_sigma(response: FrequencyResponse, point: Array, mode: int) -> float | None:
-    """Return the standard deviation of the frequency of a vibration mode [Hz]; None if nothing spreads it."""
-    model = response.request.model
-    sigmas = spread_of(model, point, response.drives)
-    if sigmas is None:
-        return None
-    rigid = model.modes(point, drives=response.drives, fields=["frequencies"]).rigid_modes
-    return float(sigmas[rigid + mode - 1]) or None
+    sigmas = spread_of(request.model, point, response.drives)
+    sigma = 0.0 if sigmas is None else float(sigmas[rigid_modes + strongest.mode - 1])
+    return replace(strongest, frequency_sigma=sigma or None)
 
 
 def strongest_drawn_resonance(response: FrequencyResponse, drawn: DrawnChannels) -> Resonance | None:

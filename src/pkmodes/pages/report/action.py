@@ -29,8 +29,8 @@ from pkmodes.pages.report.formatting import (
     number_cell,
     plural,
     pointer,
+    sentence_cell,
     to_sentence,
-    typeset_sentences,
     unit_text,
 )
 from pkmodes.pages.report.report_context import ReportContext
@@ -42,20 +42,16 @@ ADVICE_BY_CAUSE = {
     "axis_leg_stiffness": "the legs: nuts, bearings and joints, and any play in them",
     "axis_reducer_stiffness": "the reducers: whether all are of the same type, and equally worn",
     "belt_end_compliance": "the ends of the belts: how their teeth sit on the pulleys and in the clamps",
-    "belt_loss": "the belts: their material, tension and wear",
     "belt_mass": "the belts: weigh a length of one",
     "belt_tension_stiffness": "the tension of the belts: measure it, for example by the tone of a plucked belt",
     "cable_stiffness": "the cables and hoses at the platform: take them off, and measure again",
     "clamp_compliance": "the clamps of the belts: whether a belt gives in them",
-    "drive_friction": "the motors: whether they turn freely by hand with the power off",
     "frame_compliance": "the frame: its screws and corners, and what it stands on",
     "gantry_racking": "the guides of the beam: whether it yields when its ends are pushed in opposite directions",
     "gearbox_compliance": "the gearboxes: hold a motor, load its pulley, and see how far the pulley turns",
     "gearbox_inertia": "the gearboxes: look up their moment of inertia",
     "link_compliance": "the linkages: whether their joints are tight, and their rods as stiff as they should be",
     "payload": "the platform: weigh what moves with it, such as a tool, cables and hoses",
-    "rail_friction": "the rails: whether the carriages run freely, their seals and their grease",
-    "reducer_loss": "the reducers: their lubrication and wear",
     "servo_stiffness": "the motors: whether they were switched on during the measurement",
 }
 #: Where to look for other causes, by the prefix of their names.
@@ -112,7 +108,7 @@ def _inspection_entries(result: Diagnosis, context: ReportContext) -> Iterator[E
             f" {to_sentence(clean(undetectable))}" if undetectable and result.verdict == ADEQUATE.word else ""
         )
         advice = to_sentence(f"{VERDICTS[result.verdict].inspect}{headline_clause}") + undetectable_note
-        yield "inspect", [Cell(typeset_sentences(advice), plain_text=advice)]
+        yield "inspect", [sentence_cell(advice)]
 
 
 def _inspection_advice(name: str, result: Diagnosis, context: ReportContext) -> str:
@@ -258,10 +254,9 @@ def _next_measurement(result: Diagnosis, context: ReportContext) -> list[Cell]:
     """Return the measurement that is expected to separate the explanations best, or why none is proposed."""
     proposed = result.next_measurement
     if proposed is None and (advice := _confounder_advice(result)):
-        return [Cell(to_sentence(clean(advice)))]
+        return [sentence_cell(to_sentence(advice))]
     if proposed is None:
-        reason = f"No next measurement is proposed: {clean(result.next_measurement_reason)}."
-        return [Cell(typeset_sentences(reason), plain_text=reason)]
+        return [sentence_cell(f"No next measurement is proposed: {result.next_measurement_reason}.")]
     json_key, text, cells = "next_measurement", "At", list[Cell]()
     components = context.components(len(proposed.pose))
     for component_index, ((name, symbol), value) in enumerate(zip(components, proposed.pose, strict=True)):
@@ -308,7 +303,6 @@ def _confounder_advice(result: Diagnosis) -> str:
         path = confounder.candidate.removeprefix("parameter:")
         remedy = f"measure {path} itself" if path != confounder.candidate else f"rule out {path}"
     return (
-        f"to know the size better, {remedy}: an effect of it on the size would not show in these data, so that "
-        f"the standard deviation of {least_certain.name.removeprefix('effects.')} is {factor} as large as that of "
-        "the fit"
+        f"to know the size better, {remedy}: these data do not show it, which makes the standard deviation of "
+        f"{least_certain.name.removeprefix('effects.')} {factor} as large as that of the fit"
     )

@@ -105,7 +105,7 @@ def _error_table(result: Diagnosis, terms: Beyond) -> Table:
     columns.append(Column("chi\u00b2 per dof"))
     if not result.held_out_poses:
         rows, columns = [[*row[:2], row[3]] for row in rows], [*columns[:2], columns[3]]
-    return Table("Errors with each explanation that remains.", columns, rows)
+    return Table("Errors of the model with each explanation.", columns, rows)
 
 
 def _sub_pointer(parent: str, key: str) -> str:

@@ -95,7 +95,7 @@ def certainty(result: Diagnosis) -> list[Cell]:
                 f"({_probability_text(p)})"
             )
     text = " ".join(map(to_sentence, sentences))
-    return [Cell(text, plain_text=text)]
+    return [Cell(text)]
 
 
 def _accuracy_of_size(relative_sigma: float, error: Error | None) -> str:
@@ -143,6 +143,16 @@ def deciding_errors(result: Diagnosis) -> str:
     deciding_changes = [entry.change for entry in result.stability if not same_verdict(result, entry)]
     words = joined([CHANGE_TITLES.get(change, change) for change in deciding_changes], "or")
     return f"with {words}, the verdict changes"
+
+
+def claim_condition(result: Diagnosis) -> str:
+    """Return with which other errors or priors a claimed cause falls, as a clause; empty if there are none."""
+    return deciding_errors(result) if result.effects else ""
+
+
+def is_claim_in_doubt(result: Diagnosis) -> bool:
+    """Return whether a claimed cause is doubtful, or falls with other errors or priors."""
+    return bool(doubtful_probability(result) or claim_condition(result))
 
 
 def _claim_probability(result: Diagnosis) -> tuple[float | None, int]:

@@ -17,7 +17,7 @@ from pkmodes.pages.report import explanations, figures, numbers
 from pkmodes.pages.report.action import recommended_action
 from pkmodes.pages.report.beyond import beyond_blocks
 from pkmodes.pages.report.blocks import Cell, Column, Facts, Paragraph, Section, Summary, Table
-from pkmodes.pages.report.certainty import deciding_errors, doubtful_probability
+from pkmodes.pages.report.certainty import claim_condition, doubtful_probability, is_claim_in_doubt
 from pkmodes.pages.report.formatting import (
     clean,
     frequency_cell,
@@ -72,7 +72,7 @@ def change_headline(result: Change, context: ReportContext) -> str:
     explanation = _best_explanation(result, context)
     if probability := doubtful_probability(result):
         return clean(f"Doubtful ({probability}): changed since {trusted}: {explanation}")
-    condition = f"; {clause}" if result.effects and (clause := deciding_errors(result)) else ""
+    condition = f"; {clause}" if (clause := claim_condition(result)) else ""
     return clean(f"Changed since {trusted}: {explanation}{condition}")
 
 
@@ -131,14 +131,13 @@ def change_summary(result: Change, context: ReportContext) -> Summary:
     if last_error is not None and not result.by_state:
         chi2 = three_digit_cell(last_error.chi2_per_dof)
         facts.append(("final chi\u00b2 per degree of freedom of all fitted modes", chi2))
-    is_doubtful = doubtful_probability(result) or (result.effects and deciding_errors(result))
     return Summary(
         subject=context.title(row.drives for row in result.rows),
         kind="What changed",
         verdict="" if result.by_state or found_term is not None else result.verdict,
         headline=typeset_sentences(change_headline(result, context)),
         reason=typeset_sentences(to_sentence(result.reason)),
-        tone=AMBIGUOUS.colour if is_doubtful else TONE_BY_CHANGE[result.changed],
+        tone=AMBIGUOUS.colour if is_claim_in_doubt(result) else TONE_BY_CHANGE[result.changed],
         notes=[typeset_sentences(to_sentence(note)) for note in result.notes],
         action=None if result.by_state else action_after_change(result, context),
         facts=[(name, cell) for name, cell in facts if cell.value is not None],

@@ -22,7 +22,7 @@ from pkmodes.pages.report import explanations, figures, numbers
 from pkmodes.pages.report.action import recommended_action
 from pkmodes.pages.report.beyond import beyond_blocks
 from pkmodes.pages.report.blocks import Block, Cell, Paragraph, Section, Summary, TextDifference
-from pkmodes.pages.report.certainty import deciding_errors, doubtful_probability
+from pkmodes.pages.report.certainty import claim_condition, doubtful_probability, is_claim_in_doubt
 from pkmodes.pages.report.contrast import contrast_of_parts
 from pkmodes.pages.report.damping import damping_blocks, stability_clause
 from pkmodes.pages.report.formatting import (
@@ -138,10 +138,8 @@ def _summary(result: Diagnosis, context: ReportContext) -> Summary:
 
 def _colour(result: Diagnosis) -> Colour:
     """Return the colour of the heading: that of the verdict, or of doubt."""
-    is_doubtful = (
-        doubtful_probability(result)
-        or (result.effects and deciding_errors(result))
-        or (result.verdict == ADEQUATE.word and (result.headline or [*_large_refits(result)]))
+    is_doubtful = is_claim_in_doubt(result) or (
+        result.verdict == ADEQUATE.word and (result.headline or [*_large_refits(result)])
     )
     return AMBIGUOUS.colour if is_doubtful else VERDICTS[result.verdict].colour
 
@@ -173,7 +171,7 @@ def verdict_headline(result: Diagnosis, context: ReportContext | None = None) ->
         for effect in result.effects
         if (part_contrast := contrast_of_parts(effect, context)) is not None
     ]
-    if result.effects and not probability and (clause := deciding_errors(result)):
+    if not probability and (clause := claim_condition(result)):
         additions.append(clause)
     additions += [clean(result.headline)] if result.headline else []
     if result.verdict == ADEQUATE.word:

@@ -147,7 +147,7 @@ def _member_table(
         rows, columns = [row[:-1] for row in rows], columns[:-1]
     caption = (
         f"Size of the cause{', against the declared values' if effect.relative() else ''}; its standard deviation "
-        "includes how far a candidate that these data do not show may have moved it."
+        "allows for candidates that these data do not show."
         if is_single
         else "The class: each member as if it were the cause, with its values against the declared ones."
     )

@@ -27,8 +27,8 @@ POWER_OF_TEN = re.compile(r"(?<![\w.])\d+(?:\.\d+)?e[+-]?\d+(?!\w|\.\d)")
 
 #: A number with its standard deviation within a sentence, with or without a power of ten.
 UNCERTAIN_NUMBER = re.compile(r"\(?-?\d+(?:\.\d+)? \+- \d+(?:\.\d+)?(?:\)e[+-]?\d+)?")
-#: The sign of a number at the beginning of brackets, such as "(-0.8 sigma)".
-BRACKETED_MINUS = re.compile(r"(?<=\()-(?=\.?\d)")
+#: The sign of a number after a space or a bracket; that after a letter or a digit is a hyphen.
+MINUS_SIGN = re.compile(r"(?<=[\s(])-(?=\.?\d)")
 #: The unit of an angle after its number.
 DEGREES = re.compile(r"(?<=\d) deg\b")
 #: A product of units after a number within a sentence.
@@ -51,10 +51,14 @@ def shorten(label: object, max_length: int = MAX_LABEL_LENGTH) -> str:
 def typeset_sentences(text: object) -> str:
     """Return sentences on one line, with powers, standard deviations, units and minus signs set as in print."""
     line = UNIT_PRODUCT.sub(lambda match: unit_text(match[0]), clean(text)).replace("chi2", "chi\u00b2")
-    line = DEGREES.sub("\u00b0", BRACKETED_MINUS.sub(MINUS, line))
     for pattern in (UNCERTAIN_NUMBER, POWER_OF_TEN):
         line = pattern.sub(lambda match: typeset(match[0]), line)
-    return line
+    return DEGREES.sub("\u00b0", MINUS_SIGN.sub(MINUS, line))
+
+
+def sentence_cell(text: str) -> Cell:
+    """Return sentences as a cell, set as in print on a page."""
+    return Cell(typeset_sentences(text), plain_text=clean(text))
 
 
 def to_sentence(text: str) -> str:

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import replace
 
 from pkmodes.loop.measured.comparison import MeasurementsCompared
 from pkmodes.pages.plots.before_after import changes_of_modes
-from pkmodes.pages.plots.labels import MINUS
 from pkmodes.pages.report.blocks import Block, Cell, Paragraph, Picture, Section
 from pkmodes.pages.report.formatting import file_name, plural, shorten, typeset_sentences
 from pkmodes.pages.report.measured_shapes import shape_tables
@@ -16,9 +14,6 @@ from pkmodes.pages.report.measurements import measurements_summary, mode_pair_ta
 from pkmodes.pages.report.page import need_report, page
 from pkmodes.pages.report.sections import origin_section
 from pkmodes.pages.report.sources import Source
-
-#: The sign of a negative number within a sentence.
-MINUS_SIGN = re.compile(r"(?<=\s)-(?=\d)")
 
 
 def measurements_report(result: MeasurementsCompared, sources: Sequence[Source]) -> str:
@@ -50,8 +45,8 @@ def measurements_report(result: MeasurementsCompared, sources: Sequence[Source])
     summary = replace(
         plain_summary,
         subject=" and ".join(names),
-        headline=MINUS_SIGN.sub(MINUS, typeset_sentences(plain_summary.headline)),
-        reason=MINUS_SIGN.sub(MINUS, typeset_sentences(plain_summary.reason)),
+        headline=typeset_sentences(plain_summary.headline),
+        reason=typeset_sentences(plain_summary.reason),
         notes=[typeset_sentences(note) for note in plain_summary.notes],
     )
     return page(summary, sections)

@@ -148,8 +148,8 @@ def fitted_value_tables(result: Diagnosis, context: ReportContext) -> list[Table
     caption = "Fitted values: as declared, and after the fit with their standard deviations."
     if has_widened:
         caption = (
-            "Fitted values: as declared, and after the fit with their standard deviations, which include how far "
-            "a candidate that these data do not show may have moved the value; beside them those of the fit alone."
+            "Fitted values: as declared, and after the fit with their standard deviations, which allow for "
+            "candidates that these data do not show; beside them those of the fit alone."
         )
     return [compact_table(caption, columns, rows)]
 
@@ -179,7 +179,7 @@ def pull_pictures(result: Diagnosis, context: ReportContext) -> list[Picture]:
             f"How far the fit moved each uncertain value{selection_note}, in standard deviations of its prior; the "
             "bars are the standard deviations of the table. Beyond 3 the declared value or its sigma is wrong, or "
             "the value makes up for a cause; a bar as wide as the shaded prior means that the data say nothing "
-            "about it, a wider one that what these data do not show may be all that moved it.",
+            "about it, and a wider one that something these data do not show may have moved it.",
         )
     ]
 

@@ -7,7 +7,6 @@ import re
 from collections.abc import Sequence
 from datetime import UTC, datetime
 from functools import cache
-from html import escape
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
@@ -16,6 +15,7 @@ from pkmodes.core.base.version import VERSION
 from pkmodes.core.support.extras import require
 from pkmodes.core.support.page_policy import with_policy
 from pkmodes.pages.report.blocks import Section, Summary
+from pkmodes.pages.view.markup import breakable
 
 if TYPE_CHECKING:
     from jinja2 import Environment
@@ -98,15 +98,10 @@ def _environment() -> Environment:
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
-    environment.filters["breakable"] = _breakable
+    environment.filters["breakable"] = breakable
     return environment
 
 
 def _with_unbreakable_spaces(value: Any) -> Any:
     """Return a text with no-break spaces before units; what is HTML already, or was escaped, as it is."""
     return UNBREAKABLE_SPACE.sub(NO_BREAK_SPACE, value) if type(value) is str else value
-
-
-def _breakable(name: str) -> str:
-    """Return a dotted path that may be broken after a dot or an underscore, as HTML."""
-    return re.sub(r"([._])", r"\1<wbr>", escape(name))

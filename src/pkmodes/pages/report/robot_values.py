@@ -11,7 +11,6 @@ from pkmodes.core.support.mac import MIN_MAC_OF_PAIR
 from pkmodes.core.support.motors import motors_of_both
 from pkmodes.core.support.words import meaning_of
 from pkmodes.machine.maps.robots_compared import ModeChange, largest_difference_sentence
-from pkmodes.pages.plots.labels import MINUS
 from pkmodes.pages.report.blocks import Cell, Column, Listing, Paragraph, Summary, Table
 from pkmodes.pages.report.formatting import (
     clean,
@@ -56,8 +55,8 @@ def robots_summary(first: Model, second: Model, content: dict[str, Any]) -> Summ
     return Summary(
         subject=f"{names}, {motors}",
         kind="Comparison of robots",
-        headline=largest_difference_sentence([ModeChange(**mode) for mode in content["modes"]]).replace(
-            "-", MINUS
+        headline=typeset_sentences(
+            largest_difference_sentence([ModeChange(**mode) for mode in content["modes"]])
         ),
         reason="Differences are second minus first, relative to the first.",
         notes=[typeset_sentences(to_sentence(note)) for note in content["notes"]],

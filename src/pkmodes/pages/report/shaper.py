@@ -7,9 +7,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from pkmodes.core.base.numbers import plain
+from pkmodes.core.base.numbers import plain, range_text
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.robot.units import DISPLAY_UNITS
 from pkmodes.core.support.ordering import joined
@@ -233,26 +232,21 @@ def machine_facts(model: Model, choice: Choice, content: dict[str, Any]) -> Fact
     for path, symbol in ringing.settings[0].units.items() if ringing.settings else ():
         values = np.array([setting.values[path] for setting in ringing.settings])
         count = len(set(values.tolist()))
-        extent = append_unit(_range_text(values, ".4g"), symbol) + (f" ({count} values)" if count > 1 else "")
+        extent = append_unit(range_text(values, ".4g"), symbol) + (f" ({count} values)" if count > 1 else "")
         entries.append((clean(path), [signed_cell(extent)]))
     for i, component in enumerate(model.mechanism.pose):
         unit, factor = DISPLAY_UNITS[component.unit]
         entries.append(
-            (component.name, [signed_cell(f"{_range_text(ringing.poses[:, i] * factor, '.5g')} {unit}")])
+            (component.name, [signed_cell(f"{range_text(ringing.poses[:, i] * factor, '.5g')} {unit}")])
         )
     for mode_index in range(ringing.frequencies.shape[1]):
-        text = f"{_range_text(ringing.frequencies[:, mode_index], '.1f')} Hz"
+        text = f"{range_text(ringing.frequencies[:, mode_index], '.1f')} Hz"
         cells = [Cell(text)]
         if ringing.spread is not None:
             sigma = float(np.median(ringing.spread[:, mode_index] * ringing.frequencies[:, mode_index]))
             cells = [Cell(f"{text},"), Cell(f"standard deviation {plain(sigma, 2)} Hz (median)", sigma)]
         entries.append((f"mode {mode_index + 1}", cells))
     return Facts(entries)
-
-
-def _range_text(values: NDArray[np.float64], form: str) -> str:
-    ends = dict.fromkeys(format(end, form) for end in (values.min() + 0.0, values.max() + 0.0))
-    return " to ".join(ends)
 
 
 def shapers_tables(choice: Choice) -> list[Table]:

@@ -14,6 +14,7 @@ import numpy as np
 from pkmodes.core.robot.units import DISPLAY_UNITS
 from pkmodes.core.support.page_policy import with_policy
 from pkmodes.pages.view.interpolation import SLIDER_STEPS
+from pkmodes.pages.view.markup import breakable
 from pkmodes.pages.view.measured_data import measured_sentence, measured_table, numbers_table
 from pkmodes.pages.view.mode_words import energy_text, frequency_text, motion_text, sigma_note, signed_text
 from pkmodes.pages.view.page_data import data_element, platform_directions, scene_data
@@ -171,7 +172,7 @@ def _pose_controls(scene: Scene, prefix: str) -> str:
         )
     shown_values = scene.poses[scene.chosen] if scene.values is None else scene.values[scene.chosen]
     rows = "".join(
-        f'<div class="pkview-row"><label for="{prefix}-{c.name}">{escape(c.name).replace(".", ".<wbr>")}</label>'
+        f'<div class="pkview-row"><label for="{prefix}-{c.name}">{breakable(c.name)}</label>'
         f'<input type="range" id="{prefix}-{c.name}" data-part="level" min="0"'
         f' max="{SLIDER_STEPS * (len(values) - 1)}" step="1"'
         f' value="{SLIDER_STEPS * int(np.argmin(np.abs(values - value)))}" title="{escape(c.description)}">'

@@ -118,8 +118,8 @@ def found(e: TermEvidence) -> Answer:
     p = p_in_words(min(first.p_value, first.p_candidates))
     text = explanation_in_words([e.finding(0)])
     return Answer(
-        f"{text}; the residual of the declared model is not noise ({p}), and the tests rule out the "
-        f"others of {len(e.term_fits.terms)} terms, each of one form at one place{outlier_clause}"
+        f"{text}; the residual of the declared model is not noise ({p}), and the tests rule out all "
+        f"others of the {len(e.term_fits.terms)} terms tried, each of one form at one place{outlier_clause}"
     )
 
 

@@ -6,7 +6,7 @@ import re
 from dataclasses import replace
 from typing import TypeVar
 
-from pkmodes.core.base.numbers import plain
+from pkmodes.core.base.numbers import plain, round_to_sigma
 from pkmodes.loop.diagnosis.problem import Candidate
 from pkmodes.loop.diagnosis.verdict.findings import Finding
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
@@ -55,8 +55,8 @@ PHRASES = (
 )
 #: Difference of the stiffness of all equal parts, as from one day to another, in a sentence on refitted values.
 ANOTHER_DAY = re.compile(
-    r"day\.(\w+)_stiffness (?:was refitted )?from 0 to (-?[\d.e-]+)"
-    r"(?: \((?:([+-][\d.]+) sigma)?(?:; )?(?:an undetected [^()]+ would have the same effect)?\))?"
+    r"day\.(\w+)_stiffness (?:was refitted )?from 0 to (-?[\d.e-]+)(?: \+- ([\d.e-]+))?"
+    r"(?: \([+-][\d.]+ sigma(?:; [^()]+ would have the same effect)?\))?"
 )
 #: Sentences of candidates that are declared values.
 WRONG_VALUE = re.compile(r"the declared ([^;,()]+?) is wrong")
@@ -86,7 +86,10 @@ def reword(text: str, trusted: str, later: str) -> str:
 def _another_day_in_words(match: re.Match[str]) -> str:
     """Return by how much all equal parts are stiffer or softer, as after a change of temperature."""
     part_name, percent = match[1].replace("_", " "), 100.0 * float(match[2])
-    return f"all {part_name}s are {plain(abs(percent), 2)} % {'stiffer' if percent > 0.0 else 'softer'}"
+    size = (
+        plain(abs(percent), 2) if match[3] is None else round_to_sigma(abs(percent), 100.0 * float(match[3]))
+    )
+    return f"all {part_name}s are {size} % {'stiffer' if percent > 0.0 else 'softer'}"
 
 
 Result = TypeVar("Result", bound=Diagnosis)

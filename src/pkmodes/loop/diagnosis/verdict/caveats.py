@@ -46,7 +46,7 @@ def refitted_in_words(values: Sequence[Corrected]) -> str:
     reported = [v for v in ranked if abs(_deviation(v)) >= 1.0][:MAX_VALUES] or ranked[:1]
     reported += [v for v in ranked if v not in reported and _may_be_due_to_unseen(v)]
     return ", ".join(
-        f"{_name(v)} {_change_in_words(v)} ({_deviation(v):+.1f} sigma{_unseen_clause(v, '; ')})"
+        f"{_name(v)} {_change_in_words(v)} ({_deviation(v):+.1f} sigma{_same_effect_clause(v)})"
         for v in reported
     )
 
@@ -62,7 +62,8 @@ def conspicuous_in_words(values: Sequence[Corrected], *, refit_was_needed: bool)
     if refit_was_needed:
         due_to_unseen = (v for v in values if v not in far_values and _may_be_due_to_unseen(v))
         parts += [
-            f"{_name(v)} was refitted {_change_in_words(v)} ({_unseen_clause(v)})" for v in due_to_unseen
+            f"{_name(v)} was refitted {_change_in_words(v)} ({_deviation(v):+.1f} sigma{_same_effect_clause(v)})"
+            for v in due_to_unseen
         ]
     return ", ".join(parts[:MAX_VALUES])
 
@@ -89,10 +90,10 @@ def _may_be_due_to_unseen(value: Corrected) -> bool:
     )
 
 
-def _unseen_clause(value: Corrected, separator: str = "") -> str:
+def _same_effect_clause(value: Corrected) -> str:
     if value.unseen is None or not _may_be_due_to_unseen(value):
         return ""
-    return f"{separator}{value.unseen.agent} would have the same effect"
+    return f"; {value.unseen.agent} would have the same effect"
 
 
 def _deviation(value: Corrected) -> float:

@@ -34,8 +34,8 @@ class FoundDocument(ValueDocument, frozen=True):
     saved_sigma: Annotated[
         float,
         Meta(
-            description="Standard deviation in the corrected robot file: it includes how far a candidate that these "
-            "data do not show may have moved the value."
+            description="Standard deviation in the corrected robot file: it allows for candidates that these "
+            "data do not show."
         ),
     ]
 
@@ -105,8 +105,8 @@ class RefittedDocument(Document, frozen=True):
     saved_sigma: Annotated[
         float,
         Meta(
-            description="Standard deviation in a corrected robot file: it includes how far a candidate that these "
-            "data do not show may have moved the value."
+            description="Standard deviation in a corrected robot file: it allows for candidates that these "
+            "data do not show."
         ),
     ]
     unit: str

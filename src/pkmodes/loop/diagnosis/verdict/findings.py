@@ -120,7 +120,7 @@ class Corrected(Value):
 
     - prior_sigma: standard deviation of its declared value; None if it has none
     - at_bound: whether the value is at a physical bound other than the declared value
-    - unseen: how far a candidate that these data do not show may have moved the value; None where none can have
+    - unseen: how far a candidate that these data do not show may have moved the value; None if none can have
     - plausible: largest plausible deviation from the declared value
     """
 
@@ -132,7 +132,7 @@ class Corrected(Value):
 
     @property
     def saved_sigma(self) -> float:
-        """Standard deviation including the possible effect of an undetected candidate.
+        """Standard deviation that allows for an undetected candidate.
 
         The declared value still counts: it is at most the root mean square distance from the value under its prior.
         Without a prior it is at most the largest plausible deviation.
@@ -190,8 +190,8 @@ def explain_saved_sigma(value: Value, corrected: Sequence[Corrected]) -> str:
     if saved.widened:
         fit_sigma = round_to_sigma(value.value, value.sigma).columns[1]
         parts.append(
-            f"the standard deviation is {fit_sigma} by the fit alone, and larger because {unseen.agent} may have "
-            "moved the value"
+            f"the standard deviation is {fit_sigma} by the fit alone, and larger because it allows for "
+            f"{unseen.agent}"
         )
         parts += [clause] if (clause := wider_than_declared_in_words(saved)) else []
     if unseen.unbounded:
@@ -201,8 +201,7 @@ def explain_saved_sigma(value: Value, corrected: Sequence[Corrected]) -> str:
 
 def omission_in_words(unseen: Unseen) -> str:
     """Return what a standard deviation omits: the effect of a candidate without a limit."""
-    agent = undetected_in_words(unseen.unbounded)
-    return f"it does not include the possible effect of {agent}, which these data do not bound"
+    return f"it does not allow for {undetected_in_words(unseen.unbounded)}, which these data do not bound"
 
 
 def undetected_in_words(candidate: str) -> str:
